@@ -98,6 +98,24 @@ TEST_F(DatasetPlan, KnowsRatesAndFoldersOfInterXAndInterHuman) {
   EXPECT_EQ(interhuman.takes[0].b.motion, folder_ / "person2/7.npy");
 }
 
+TEST_F(DatasetPlan, InterXNeedsAFolderForEachTake) {
+  touch("P1.npz"), touch("P2.npz");
+  EXPECT_THAT(refusal("interx"), HasSubstr("holds no pair of the dataset interx among 2 files"));
+}
+
+TEST_F(DatasetPlan, InterHumanHasTwoPersons) {
+  touch("person3/7.npy"), touch("person2/7.npy");
+  EXPECT_THAT(refusal("interhuman"), HasSubstr("holds no pair of the dataset interhuman among 2 files"));
+}
+
+TEST_F(DatasetPlan, LooksIntoTwelveFoldersBelowOneAnotherAndNoFarther) {
+  std::string folders;
+  for (int depth = 0; depth < 12; ++depth) folders += "d/";
+  touch(folders + "m_leader.npz"), touch(folders + "m_follower.npz");
+  touch(folders + "d/n_leader.npz"), touch(folders + "d/n_follower.npz");
+  EXPECT_THAT(names(plan("compas3d")), ElementsAre(testing::EndsWith("_m")));
+}
+
 TEST_F(DatasetPlan, PairsOfInterHumanAreReadAsTheirManifestSays) {
   const PairedTake pair = test::swinging_take("dance", 40, 1);
   for (const bool column_order : {false, true}) {

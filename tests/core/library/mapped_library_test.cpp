@@ -212,12 +212,44 @@ TEST_F(MappedLibrary, NorIsATetrahedronOfNoJoints) {
   EXPECT_THAT(library.damage()->text(), HasSubstr("pair 9 is damaged"));
 }
 
+TEST_F(MappedLibrary, OfSeveralDamagedPairsTheOneFoundFirstIsNamed) {
+  poke("pairs/pose", {3, 0, 0}, nan);
+  poke("pairs/pose", {7, 0, 0}, nan);
+  const MotionLibrary library = mapped();
+  EXPECT_EQ(library.pose(7), dance().pose(0));
+  EXPECT_EQ(library.pose(3), dance().pose(0));
+  ASSERT_TRUE(library.damage());
+  EXPECT_THAT(library.damage()->text(), HasSubstr("pair 7 is damaged"));
+}
+
 TEST_F(MappedLibrary, OffsetsThatChangeWhileInUseLeadNowhereElse) {
   const MotionLibrary library = mapped();
   poke("meshes/edge_offset", {6}, 1e15);
   EXPECT_TRUE(std::ranges::equal(library.edges(5), dance().edges(0))) << "its end is behind the file's";
   EXPECT_TRUE(std::ranges::equal(library.edges(6), dance().edges(0))) << "its begin is behind its end";
   EXPECT_TRUE(library.damage());
+}
+
+TEST_F(MappedLibrary, AnEmptyRowBehindTheFilesEndIsNotARowEither) {
+  const MotionLibrary library = mapped();
+  for (const char* offsets : {"meshes/edge_offset", "meshes/tetrahedron_offset"})
+    for (const hsize_t end_of_row : {5, 6}) poke(offsets, {end_of_row}, 1e15);
+  EXPECT_TRUE(std::ranges::equal(library.edges(5), dance().edges(0)));
+  EXPECT_TRUE(std::ranges::equal(library.tetrahedra(5), dance().tetrahedra(0)));
+}
+
+TEST_F(MappedLibrary, IsRefusedWhenItsFirstPairHasMoreEdgesOrTetrahedraThanThereCanBe) {
+  const LibraryColumns& columns = dance().columns();
+  for (const auto& [table, offsets] : {std::pair("meshes/edge_offset", &columns.edge_offsets),
+                                       {"meshes/tetrahedron_offset", &columns.tetrahedron_offsets}}) {
+    ASSERT_TRUE(write_library(dance(), file).ok());
+    // Still ascending: the first pair has the items of all, and the others have none.
+    for (std::size_t pair = 1; pair + 1 < offsets->size(); ++pair)
+      poke(table, {pair}, static_cast<double>(offsets->back()));
+    const auto library = read_library(file, map_all);
+    ASSERT_FALSE(library.ok()) << table;
+    EXPECT_THAT(library.error().text(), HasSubstr("the first pair's pose or mesh is damaged"));
+  }
 }
 
 TEST_F(MappedLibrary, IsRefusedWhenAlreadyItsFirstPairIsDamaged) {

@@ -195,6 +195,22 @@ TEST(DifferenceOfNames, IsNothingForNamesThatAreNotOfOneTake) {
   EXPECT_FALSE(difference_of_names("", "b"));
 }
 
+TEST(DifferenceOfNames, IsOfLettersOnlyWhenBothAreOne) {
+  EXPECT_EQ(difference_of_names("walk_a", "walk_b")->contrast, NameContrast::Letters);
+  EXPECT_EQ(difference_of_names("walk_anna", "walk_b")->contrast, NameContrast::Words);
+  EXPECT_EQ(difference_of_names("walk_a", "walk_ben")->contrast, NameContrast::Words);
+  EXPECT_EQ(difference_of_names("walk_anna", "walk_ben")->contrast, NameContrast::Words);
+}
+
+TEST(SharedName, KeepsOneSeparatorBetweenTheParts) {
+  const auto shared = [](const char* first, const char* second) {
+    return shared_name(first, *difference_of_names(first, second));
+  };
+  EXPECT_EQ(shared("walk_a_01", "walk_b_01"), "walk_01");
+  EXPECT_EQ(shared("a_walk_01", "b_walk_01"), "walk_01");
+  EXPECT_EQ(shared("walk_01_a", "walk_01_b"), "walk_01");
+}
+
 TEST(GuessSkeleton, TakesTheOneWhoseNameBeginsTheMotions) {
   const std::vector<std::string> skeletons = {"/d/60.asf", "/d/61.asf"};
   EXPECT_EQ(guess_skeleton("/m/61_01.amc", skeletons), "/d/61.asf");

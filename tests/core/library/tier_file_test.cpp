@@ -104,8 +104,8 @@ TEST(TierFile, SubtitlesKeepValuesAndSayWhatTheyLeaveOut) {
 }
 
 TEST(TierFile, WebVttIsWhatPlayersRead) {
-  const auto text = write_tiers(std::vector<Tier>{{"move", {{3661.5, 3662, "a<b"}}}}, "x.vtt", {});
-  EXPECT_EQ(text->text, "WEBVTT\n\nmove 1\n01:01:01.500 --> 01:01:02.000\n<v move>a&lt;b\n");
+  const auto text = write_tiers(std::vector<Tier>{{"move", {{3661.5, 3662, "a<b>c"}}}}, "x.vtt", {});
+  EXPECT_EQ(text->text, "WEBVTT\n\nmove 1\n01:01:01.500 --> 01:01:02.000\n<v move>a&lt;b&gt;c\n");
   const auto srt = write_tiers(std::vector<Tier>{{"move", {{1.5, 2, "a"}}}}, "x.srt", {});
   EXPECT_EQ(srt->text, "1\n00:00:01,500 --> 00:00:02,000\n[move] a\n");
 }
@@ -182,6 +182,26 @@ TEST(TierFile, OtherPeoplesTablesAreReadByTheirHeader) {
   EXPECT_THAT(table->warnings, ElementsAre(HasSubstr("annotator")));
 }
 
+TEST(TierFile, SpacesAndTabsMayPrecedeAQuotedFieldOfATable) {
+  const auto table = parse_tiers("tier,start,end,value\nmove,0,1,\t \"turn, slow\"\n", "x.csv", {});
+  ASSERT_TRUE(table) << table.error().text();
+  EXPECT_EQ(table->tiers, (std::vector<Tier>{{"move", {{0, 1, "turn, slow"}}, {}, TierKind::Move}}));
+}
+
+TEST(TierFile, ATableIsReadNoFartherThanItsEnd) {
+  const std::string_view behind = "tier,start,end,value\nmove,0,1, \"not of it\"";
+  const auto table = parse_tiers(behind.substr(0, behind.find(" \"not")), "x.csv", {});
+  ASSERT_TRUE(table) << table.error().text();
+  EXPECT_EQ(table->tiers, (std::vector<Tier>{{"move", {{0, 1, ""}}, {}, TierKind::Move}}));
+}
+
+TEST(TierFile, ARowWithTooFewFieldsIsRefused) {
+  const auto table = parse_tiers("tier,start,end,value\nmove,0,1,turn\nmove,1,2\n", "x.csv", {});
+  ASSERT_FALSE(table);
+  EXPECT_THAT(table.error().text(), HasSubstr("x.csv:3"));
+  EXPECT_THAT(table.error().text(), HasSubstr("has 3 fields, the header 4"));
+}
+
 TEST(TierFile, OtherPeoplesSubtitlesAreRead) {
   const auto document = parse_tiers(
       "WEBVTT - a dance\nKind: captions\n\nNOTE\nnot a cue\n\nSTYLE\n::cue { color: red }\n\nid\n00:01.000 "
@@ -218,6 +238,8 @@ TEST(TierFile, WhatCannotBeWrittenIsRefused) {
   EXPECT_THAT(refusal({{"m", {{0, 2, "a"}, {1, 3, "b"}}}}, "x.json"), HasSubstr("overlaps"));
   EXPECT_THAT(refusal({{"m", {{0, std::nan(""), "a"}}}}, "x.csv"), HasSubstr("finite"));
   EXPECT_THAT(refusal({{" ", {}}}, "x.csv"), HasSubstr("no name"));
+  EXPECT_THAT(refusal({{"m", {{0, 1, "\xFF"}, {1, 2, "b"}}}}, "x.json"), HasSubstr("not UTF-8"))
+      << "though what follows is";
   EXPECT_THAT(refusal({{"m", {{-1, 1, "a"}}}}, "x.vtt"), HasSubstr("no times before 0"));
   EXPECT_THAT(refusal({{"a]b", {{0, 1, "a"}}}}, "x.srt"), HasSubstr("cannot hold the tier name"));
   EXPECT_THAT(refusal({{"m", {{0, 1, "a\x01"}}}}, "x.eaf"), HasSubstr("control character"));

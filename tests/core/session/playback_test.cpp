@@ -234,6 +234,13 @@ TEST(Playback, AtTheLiveEndSlowerFallsBehindAndFasterIsImpossible) {
   EXPECT_EQ(p.cursor_s, 10.5);
 }
 
+TEST(Playback, AnotherSpeedDoesNotSetAParkedCursorGoing) {
+  Playback p = playback(State::Parked, 5);
+  p.set_speed(0.5);
+  EXPECT_EQ(p.speed, 0.5);
+  EXPECT_EQ(p.state, State::Parked);
+}
+
 TEST(Playback, CatchingUpWithTheLiveEndFollowsItAtNormalSpeed) {
   Playback p = playback(State::Playing, 8);
   p.speed = 4;

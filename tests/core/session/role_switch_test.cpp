@@ -187,6 +187,22 @@ TEST_F(RoleByLeader, WhoMovesLikeARecordedLeaderLeadsAndTheOtherWayRound) {
   for (const double at_s : changed_s) EXPECT_LT(at_s, RoleSwitch::dwell_s + LeaderJudge::stretch_s);
 }
 
+TEST_F(RoleByLeader, IsJudgedFromAWholeStretchWithoutAGap) {
+  const Clip clip = equal_take("first", 180, 1).a;
+  const Body body = body_of(std::span(clip.poses));
+  LeaderJudge judge(views);
+  constexpr double begin_s = 10;
+  std::size_t i = 0;
+  const auto see_until = [&](double to_s, double later_s) {
+    for (; static_cast<double>(i) * frame_s < to_s; ++i)
+      judge.see(clip.poses[i], body, begin_s + later_s + static_cast<double>(i) * frame_s);
+    return judge.fit().active_m >= 0;
+  };
+  EXPECT_FALSE(see_until(LeaderJudge::stretch_s - 0.1, 0)) << "too short";
+  EXPECT_TRUE(see_until(LeaderJudge::stretch_s + 0.1, 0));
+  EXPECT_FALSE(see_until(LeaderJudge::stretch_s + 0.2, 0.5)) << "begins anew behind the gap";
+}
+
 TEST_F(RoleByLeader, ARoleIsKeptForAWhile) {
   const PairedTake take = equal_take("first", 180, 1);
   after(take.a, UserRole::Passive);

@@ -92,6 +92,10 @@ TEST(TakeFrames, RangesAreWholeOrEvenlyThinned) {
   EXPECT_EQ(whole.front()->input_frame, 3);
   EXPECT_EQ(whole.back()->input_frame, 9);
   EXPECT_EQ(frames->between(0, 19, 10).size(), 10u);
+  const std::uint64_t last = frames->span().last_index;
+  const auto rest = frames->between(last - 2, last + 5, FrameHistory::all_frames);
+  ASSERT_EQ(rest.size(), 3u) << "no farther than there are frames";
+  EXPECT_EQ(rest.back()->index, last);
   EXPECT_TRUE(frames->range(-5, -1, 10).empty());
   EXPECT_TRUE(frames->between(1'000'000, 2'000'000, 10).empty());
 }
@@ -139,6 +143,7 @@ TEST(FrameInLibrary, NumbersCandidatesAsTheOtherLibraryDoes) {
   EXPECT_EQ(now->result.candidates[0].pair, after->find_pair(second, 3, false));
   EXPECT_EQ(now->result.candidates[0].feature_distance, 0.5);
   EXPECT_EQ(now->result.selected, 0);
+  EXPECT_EQ(now->library, after) << "whose numbers these are";
   EXPECT_EQ(in_library(frame, before), frame) << "nothing to do";
   EXPECT_EQ(selected_pair(*frame, after), after->find_pair(second, 3, false));
   EXPECT_EQ(selected_pair(*frame, before), pair);

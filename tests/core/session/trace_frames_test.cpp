@@ -78,6 +78,7 @@ TEST_F(TraceFile, GivesTheFramesAsTheyWereSolved) {
   EXPECT_EQ(result.edges, wanted.edges);
   EXPECT_EQ(result.tetrahedra, wanted.tetrahedra);
   EXPECT_EQ(result.edge_residuals_m.size(), 3u);
+  EXPECT_EQ(result.candidates.size(), 3u) << "how many there were is known";
   EXPECT_EQ(result.selected, 1);
   EXPECT_EQ(result.foot_locks, wanted.foot_locks);
   EXPECT_EQ(result.collisions.size(), 1u);

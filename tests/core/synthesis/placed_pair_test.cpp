@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/motion/body/body_choice.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/synthesis/bodies/gliding_body.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::placed_pair_test {
@@ -17,6 +21,26 @@ BodyChange change_to(const Pose& pose, double arms, double legs) {
   for (const int joint : {left_elbow, left_wrist, right_elbow, right_wrist})
     change.to.bone_lengths[static_cast<std::size_t>(joint - 1)] *= arms;
   return change;
+}
+
+TEST(GlidingBody, GlidesWhenTheChoiceChangesAndFollowsTheUsersMeasuresAtOnce) {
+  const Body small = body_of(test::standing_pose()), large = scaled_body(small, 1.2);
+  const auto after_a_frame = [&](const Body& first, bool of_user, const Body& next, bool next_of_user) {
+    GlidingBody body;
+    body.follow(first, of_user, 0, true);
+    body.follow(next, next_of_user, 0.01, false);
+    return body.now().bone_lengths;
+  };
+  const auto difference = [](const auto& a, const Body& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      largest = std::max(largest, std::abs(a[i] - b.bone_lengths[i]));
+    return largest;
+  };
+  EXPECT_LT(difference(after_a_frame(small, false, large, true), small), 1e-3) << "to the user's body";
+  EXPECT_LT(difference(after_a_frame(small, true, large, false), small), 1e-3) << "from the user's body";
+  EXPECT_LT(difference(after_a_frame(small, false, large, false), small), 1e-3) << "to another body";
+  EXPECT_EQ(after_a_frame(small, true, large, true), large.bone_lengths) << "the user measured anew";
 }
 
 TEST(PlacedPair, TheSameBodyAtTheSamePlaceIsTheRecordedPose) {
