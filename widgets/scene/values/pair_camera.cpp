@@ -15,7 +15,7 @@ constexpr double lost_m = 2.5;  // farther is a jump in time, not a step
 constexpr double walk_per_s = 2.5, turn_per_s = 0.9, zoom_per_s = 0.8;
 constexpr double fastest_turn_rad_per_s = 0.7;
 constexpr double too_near = 1.1, too_far = 0.78;  // distance that fits, as a share of the camera's own
-constexpr double cut_off = 1.17;                  // from there on the pair is no longer whole in the picture
+constexpr double cut_off = 1.13;                  // from there on feet may be cut off, near the camera first
 constexpr double hurries_per_s = 12;              // zooms out, just before that
 
 Vec3 middle_of(const PairPose& pair) {
