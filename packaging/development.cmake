@@ -5,7 +5,8 @@ set(abrazo_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/abrazo)
 # Headers whose code is in the engine, under the names that they have in the sources; what needs OpenCV belongs to the workbench.
 get_target_property(abrazo_sources abrazo_core SOURCES)
 file(GLOB_RECURSE abrazo_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/core/*.hpp)
-list(REMOVE_ITEM abrazo_headers core/motion/scenes/glb_file.hpp)  # it holds JSON of a library that embedders need not have
+# These hold JSON of a library that embedders need not have.
+list(REMOVE_ITEM abrazo_headers core/motion/scenes/glb_file.hpp core/motion/scenes/gltf_json.hpp)
 foreach(header IN LISTS abrazo_headers)
   string(REGEX REPLACE "\\.hpp$" ".cpp" source ${PROJECT_SOURCE_DIR}/${header})
   if(NOT EXISTS ${source} OR source IN_LIST abrazo_sources)

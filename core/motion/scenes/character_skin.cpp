@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 
 #include "core/motion/scenes/glb_file.hpp"
+#include "core/motion/scenes/gltf_json.hpp"
 #include "core/motion/scenes/gltf_values.hpp"
 #include "core/motion/scenes/humanoid_rig.hpp"
 
@@ -20,19 +20,6 @@ constexpr std::size_t most_points = 500'000, most_triangles = 1'000'000, most_ca
 constexpr std::size_t most_values_read = 20'000'000;  ///< primitives may share their points
 constexpr double most_metres = 1e6;
 constexpr int triangle_mode = 4;
-
-const Json& member(const Json& of, const char* key) {
-  static const Json none;
-  if (!of.is_object()) return none;
-  const auto found = of.find(key);
-  return found == of.end() ? none : *found;
-}
-
-const Json& element(const Json& of, const Json& index) {
-  static const Json none;
-  if (!of.is_array() || !index.is_number_unsigned() || index.get<std::uint64_t>() >= of.size()) return none;
-  return of[index.get<std::size_t>()];
-}
 
 /// Puts the primitives of a file together.
 class SkinReader {

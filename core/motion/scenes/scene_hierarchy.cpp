@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <unordered_map>
 
 #include "core/motion/scenes/fbx_records.hpp"
+#include "core/motion/scenes/gltf_json.hpp"
 #include "core/motion/scenes/xml_tags.hpp"
 
 namespace abrazo {
@@ -71,27 +71,12 @@ class GltfNodes {
   std::map<std::string, std::size_t> places_;
 };
 
-const Json& member(const Json& value, const char* key) {
-  static const Json nothing;
-  if (!value.is_object()) return nothing;
-  const auto found = value.find(key);
-  return found == value.end() ? nothing : *found;
-}
-
 /// A whole number of a damaged file: `otherwise` where there is none, none if it is something else.
 std::optional<double> whole_number(const Json& value, double otherwise) {
   if (value.is_null()) return otherwise;
   if (!value.is_number()) return std::nullopt;
   const auto number = value.get<double>();
   return number >= 0 && number < 1e15 && number == std::floor(number) ? std::optional(number) : std::nullopt;
-}
-
-/// What a file calls an element of a list: its number in version 2, its name in version 1.
-const Json& element(const Json& list, const Json& name) {
-  static const Json nothing;
-  if (list.is_array() && name.is_number_unsigned() && name.get<std::size_t>() < list.size())
-    return list[name.get<std::size_t>()];
-  return list.is_object() && name.is_string() ? member(list, name.get<std::string>().c_str()) : nothing;
 }
 
 std::optional<double> bytes_of_a_value(const Json& accessor) {
