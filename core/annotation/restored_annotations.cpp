@@ -34,7 +34,7 @@ Status check_tier(const AnnotationTier& tier, Seen& seen) {
   const std::string name = "the tier '" + tier.name + "'";
   if (Status fresh = seen.take_id(tier.id, name); !fresh) return fresh;
   if (tier.name.empty()) return Error{"a tier has no name", {}};
-  if (!seen.names.insert(tier.name).second) return Error{name + " is there twice", {}};
+  if (!seen.names.insert(tier.name).second) return Error{name + " is used twice", {}};
   double free_s = -std::numeric_limits<double>::infinity();
   for (const Annotation& one : tier.annotations) {
     const std::string what = "'" + one.value + "' of " + name;

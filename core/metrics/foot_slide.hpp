@@ -13,7 +13,7 @@ namespace abrazo {
 /// Heights of the toe bases above the floor while standing: left, right [m].
 using ToeRest = std::array<double, 2>;
 
-/// Rest heights of a motion: the 5th percentile of each toe base's height; 0 for no poses.
+/// Rest heights of a motion: the 5th percentile of each toe base's height; NaN for no poses.
 ToeRest toe_rest(std::span<const Pose> poses);
 /// Rest heights of a body without a motion.
 inline ToeRest toe_rest(const Body& body) {

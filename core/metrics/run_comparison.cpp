@@ -16,7 +16,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_steps = 3;  ///< number needed for an acceleration
 
 constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
-    {"Lag", "mm", 1e3, 0,
+    {"Behind selected pair", "mm", 1e3, 0,
      "Mean distance of the partner's joints from those of the selected pair: the effect of the velocity "
      "energy."},
     {"Hold change", "mm", 1e3, 1,
@@ -41,7 +41,7 @@ constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
 
 constexpr std::array<RunFigureInfo, step_figure_count> step_infos = {{
     {"Partner, A to B", "mm", 1e3, 0, "Mean distance between the partner's joints of A and of B."},
-    {"Lag", "mm", 1e3, 0, "Mean distance of the partner's joints from those of the selected pair."},
+    {"Behind selected pair", "mm", 1e3, 0, "Mean distance of the partner's joints from those of the selected pair."},
     {"Hold change", "mm", 1e3, 1, "Hands that hold one another in the selected pair: change of distance."},
     {"Deformation", "m²", 1, 3, "Deformation energy E_L against the selected pair."},
     {"Penetration", "mm", 1e3, 1, "Deepest overlap of the bodies beyond the selected pair's own."},
@@ -97,7 +97,7 @@ std::array<double, step_figure_count> values_of(const FrameResult& result, UserR
   set(StepFigure::StepTime, result.timing.total_us * 1e-6);
   if (result.status == StepStatus::Failed) return values;
   set(StepFigure::PartnerDistance, 0);
-  set(StepFigure::Lag,
+  set(StepFigure::BehindSelected,
       mean_joint_distance(partner_of(result.result, user_role), partner_of(result.selected_pair, user_role)));
   set(StepFigure::HoldChange, hold_change_m(result.result, result.selected_pair));
   set(StepFigure::DeformationEnergy, result.energy.deformation);
@@ -133,7 +133,7 @@ RunFigures measure_run(std::span<const RunStep> steps, const MotionLibrary& libr
   set(RunFigure::StepTime, f.solve_us_p50 * 1e-6);
   set(RunFigure::StepTimeTail, f.solve_us_p99 * 1e-6);
   if (solved == 0) return values;
-  set(RunFigure::Lag, f.behind_selected_mean_m);
+  set(RunFigure::BehindSelected, f.behind_selected_mean_m);
   if (f.holds > 0) set(RunFigure::HoldChange, f.hold_change_mean_m);
   set(RunFigure::SourceChanges, f.source_changes_per_100);
   if (solved > 1) set(RunFigure::Jumps, f.partner_displacement_p99_m);

@@ -13,7 +13,7 @@ namespace abrazo {
 
 /// Figures that compare two runs over the same inputs. Less is better for all.
 enum class RunFigure {
-  Lag,
+  BehindSelected,
   HoldChange,
   SourceChanges,
   Jumps,
@@ -56,7 +56,7 @@ struct RunStep {
 RunFigures measure_run(std::span<const RunStep> steps, const MotionLibrary& library, UserRole user_role);
 
 /// Figures of two runs plotted over time, one value per step.
-enum class StepFigure { PartnerDistance, Lag, HoldChange, DeformationEnergy, Penetration, StepTime };
+enum class StepFigure { PartnerDistance, BehindSelected, HoldChange, DeformationEnergy, Penetration, StepTime };
 inline constexpr std::size_t step_figure_count = 6;
 const RunFigureInfo& info_of(StepFigure figure);
 

@@ -19,7 +19,7 @@ namespace {
 using LibraryPtr = std::shared_ptr<const MotionLibrary>;
 using Use = DataReference::Use;
 
-/// With what a person said of its takes, as the window puts it in; null when there is nothing of that.
+/// The library with the annotations of the session put into its takes; null without such annotations.
 LibraryPtr annotated(const LibraryPtr& library, const AnnotationBook& book) {
   LibraryPtr done;
   for (const auto& [name, annotations] : book) {

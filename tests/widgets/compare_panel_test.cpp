@@ -53,7 +53,7 @@ class Compare : public testing::Test {
 TEST_F(Compare, TheBetterFigureIsGreenAndMarked) {
   const QImage picture = picture_of(panel);
   EXPECT_GT(pixels_like(picture, palette_of(Theme::Dark).good), 100);
-  EXPECT_TRUE(panel.table().text().contains("Lag\t151\t64\t−87\tmm"));
+  EXPECT_TRUE(panel.table().text().contains("Behind selected pair\t151\t64\t−87\tmm"));
   EXPECT_EQ(panel.note(), "The last 2 s");
 }
 
@@ -94,7 +94,7 @@ TEST_F(Compare, AClickOnTheCurveSeeksThere) {
 }
 
 TEST_F(Compare, TheCurveReadsBothRunsAtTheCursor) {
-  panel.findChild<QComboBox*>()->setCurrentIndex(static_cast<int>(StepFigure::Lag));
+  panel.findChild<QComboBox*>()->setCurrentIndex(static_cast<int>(StepFigure::BehindSelected));
   panel.showCursor(10);
   EXPECT_EQ(panel.curve().reading(), "A 50 mm · B 30 mm");
 }

@@ -24,18 +24,18 @@ FigureRow row_of(RunFigure figure, double a, double b) {
 }
 
 TEST(FigureRows, AFigureIsWrittenInItsUnitWithItsDifference) {
-  const FigureRow row = row_of(RunFigure::Lag, 0.151, 0.064);
+  const FigureRow row = row_of(RunFigure::BehindSelected, 0.151, 0.064);
   EXPECT_EQ(row.a, "151");
   EXPECT_EQ(row.b, "64");
   EXPECT_EQ(row.unit, "mm");
   EXPECT_EQ(row.difference, "−87");
   EXPECT_EQ(row.better, Better::B);
-  EXPECT_EQ(row_of(RunFigure::Lag, 0.064, 0.151).difference, "+87");
-  EXPECT_EQ(row_of(RunFigure::Lag, 0.064, 0.151).better, Better::A);
+  EXPECT_EQ(row_of(RunFigure::BehindSelected, 0.064, 0.151).difference, "+87");
+  EXPECT_EQ(row_of(RunFigure::BehindSelected, 0.064, 0.151).better, Better::A);
 }
 
 TEST(FigureRows, WhatIsWrittenAlikeIsNoBetter) {
-  const FigureRow row = row_of(RunFigure::Lag, 0.0640, 0.0643);
+  const FigureRow row = row_of(RunFigure::BehindSelected, 0.0640, 0.0643);
   EXPECT_EQ(row.better, Better::Neither);
   EXPECT_EQ(row.difference, "=");
 }
@@ -49,7 +49,7 @@ TEST(FigureRows, WhatCannotBeMeasuredIsADash) {
 }
 
 TEST(FigureRows, EveryFigureHasARow) {
-  EXPECT_EQ(figure_rows(figures_with(RunFigure::Lag, 0), figures_with(RunFigure::Lag, 0)).size(),
+  EXPECT_EQ(figure_rows(figures_with(RunFigure::BehindSelected, 0), figures_with(RunFigure::BehindSelected, 0)).size(),
             run_figure_count);
 }
 
@@ -102,8 +102,8 @@ std::vector<ComparedStep> steps_at(std::initializer_list<double> times_s) {
 }
 
 TEST(CurveScale, TheTopIsARoundNumberAboveBothRuns) {
-  EXPECT_DOUBLE_EQ(curve_upper(steps_at({1, 2}), StepFigure::Lag), 50);  // 32 mm
-  EXPECT_DOUBLE_EQ(curve_upper({}, StepFigure::Lag), 1);
+  EXPECT_DOUBLE_EQ(curve_upper(steps_at({1, 2}), StepFigure::BehindSelected), 50);  // 32 mm
+  EXPECT_DOUBLE_EQ(curve_upper({}, StepFigure::BehindSelected), 1);
 }
 
 TEST(CurveScale, TheStepOfAnInstantIsTheLastNotAfterIt) {

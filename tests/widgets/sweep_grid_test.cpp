@@ -81,6 +81,15 @@ TEST(MetricUnit, IsReadFromThePath) {
   EXPECT_EQ(metric_unit("moves.rate"), "");
 }
 
+TEST(MetricUnit, OfTheMovementAndOfCounts) {
+  EXPECT_EQ(metric_words("movement.lag_s"), "movement: lag [s]");
+  EXPECT_EQ(metric_words("movement.changes_per_s"), "movement: changes [1/s]");
+  EXPECT_EQ(metric_words("movement.step_max_m.synthesised"), "movement: step max: synthesised [m]");
+  EXPECT_EQ(metric_unit("movement.acceleration_rms.captured"), "m/s\u00b2");
+  EXPECT_EQ(metric_unit("movement.acceleration_ratio"), "");
+  EXPECT_EQ(metric_unit("solve_us.steps"), "");
+}
+
 TEST(SweepColour, GoesFromDarkVioletToYellowAndGetsLighterAllTheWay) {
   EXPECT_NEAR(sweep_colour(0)[0], 68 / 255.0, 1e-9);
   EXPECT_NEAR(sweep_colour(1)[1], 231 / 255.0, 1e-9);

@@ -268,9 +268,9 @@ void AnnotationPanel::edited(QTableWidgetItem* item) {
                                 m_shown.conflict, m_shown.range);
   } else {
     TierInterval said = before;
-    (item->column() == Value    ? said.value
-     : item->column() == Detail ? said.detail
-                                : said.confidence) = item->column() == Value ? valueOf(typed) : typed;
+    if (item->column() == Value) said.value = valueOf(typed);
+    if (item->column() == Detail) said.detail = typed;
+    if (item->column() == Confidence) said.confidence = typed;
     done = next.say(before.id, said);
   }
   if (done) return emit changeRequested(next, "edit " + text(before.value).replace('_', ' '));

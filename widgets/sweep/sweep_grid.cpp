@@ -1,6 +1,7 @@
 #include "widgets/sweep/sweep_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -30,29 +31,41 @@ std::string with_unit(const std::string& value, const std::string& unit) {
   return unit.empty() ? value : value + " " + unit;
 }
 
+struct UnitEnding {
+  std::string_view ending, unit;
+};
+/// Longer endings first: "_m_per_s" ends with "_s" too.
+constexpr std::array unit_endings = {
+    UnitEnding{"_m_per_s", "m/s"}, UnitEnding{"_per_s", "1/s"},   UnitEnding{"_per_100", "per 100 steps"},
+    UnitEnding{"_s", "s"},         UnitEnding{"_ms", "ms"},       UnitEnding{"_m", "m"},
+    UnitEnding{"_asf", "ASF units"}};
+
 }  // namespace
 
 std::string metric_unit(std::string_view metric) {
-  if (metric.starts_with("solve_us.")) return "\u00b5s";
-  if (metric.find("_m_per_s") != std::string_view::npos) return "m/s";
-  if (metric.ends_with("_ms")) return "ms";
-  if (metric.ends_with("_m")) return "m";
-  if (metric.ends_with("_asf")) return "ASF units";
-  if (metric.ends_with("per_100")) return "per 100 steps";
+  for (const std::string_view whose : {".synthesised", ".captured"})
+    if (metric.ends_with(whose)) metric.remove_suffix(whose.size());
+  if (metric.starts_with("solve_us.")) return metric.ends_with(".steps") ? "" : "\u00b5s";
+  if (metric.starts_with("movement.acceleration_") && !metric.ends_with("_ratio")) return "m/s\u00b2";
+  for (const auto& [ending, unit] : unit_endings)
+    if (metric.ends_with(ending)) return std::string(unit);
   return {};
 }
 
 std::string metric_words(std::string_view metric) {
   const std::string unit = metric_unit(metric);
-  std::string name(metric);
-  for (const std::string_view in_name : {"_m_per_s", "_ms", "_m", "_asf", "_per_100"}) {
-    const std::size_t at = in_name == "_m_per_s" ? name.find(in_name) : name.rfind(in_name);
-    const bool is_unit =
-        at != std::string::npos && (in_name == "_m_per_s" || at + in_name.size() == name.size());
-    if (!is_unit) continue;
-    name.erase(at, in_name.size());
-    break;
-  }
+  std::string name(metric), whose;
+  for (const std::string_view ending : {".synthesised", ".captured"})
+    if (name.ends_with(ending)) {
+      whose = ending;
+      name.erase(name.size() - ending.size());
+    }
+  for (const auto& [ending, of_ending] : unit_endings)
+    if (name.ends_with(ending)) {
+      name.erase(name.size() - ending.size());
+      break;
+    }
+  name += whose;
   std::string words;
   for (const char c : name) words += c == '_' ? " " : c == '.' ? ": " : std::string(1, c);
   return unit.empty() ? words : words + " [" + unit + "]";

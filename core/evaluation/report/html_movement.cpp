@@ -79,7 +79,7 @@ std::string movement_finding(const MovementTable& movement) {
 
 std::vector<std::string> movement_definitions() {
   return {
-      "Every figure is taken in each take and averaged over the takes, each weighing the same; the largest "
+      "Each figure is computed per take and averaged over the takes with equal weights; the largest "
       "steps are the largest of all takes. The captured partner is measured at the same steps. Speed: mean "
       "over the 25 joints of the displacement from step to step by the time between. Acceleration: change of "
       "the joints' velocities from one step to the next by the time between, root mean square over the "
@@ -91,9 +91,9 @@ std::vector<std::string> movement_definitions() {
       "distance in the selected pair| while the selected pair holds. Of the capture: while the captured "
       "dancers hold; held within 20 cm in the result, recall within 13 cm. Precision: of the holds of the "
       "result (13 cm), those within 20 cm in the capture.",
-      "Change of source: the step says so, or its pair is of another take or role, earlier, or more than "
-      "1/3 s later in the take than the one before. Pace: time in the take by the time that passed, of the "
-      "other steps. Beyond what its own velocity explains: distance of the joints, on average, from where "
+      "Change of source: the selection reports it, or the pair is from another take or role, earlier, or "
+      "more than 1/3 s later in the take than the one before. Pace: source time divided by elapsed time, at "
+      "the other steps. Beyond what its own velocity explains: distance of the joints, on average, from where "
       "the velocities of the step before would have brought them."};
 }
 

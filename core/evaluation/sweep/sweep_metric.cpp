@@ -82,6 +82,19 @@ bool is_of_row(std::string_view figure, std::string_view row) {
   return figure.starts_with(row) && (figure.size() == row.size() || figure[row.size()] == '.');
 }
 
+/// A figure that is best near the recording's has no best value of its own.
+FigureGoal goal_of(PublishedRow::Better better) {
+  switch (better) {
+    case PublishedRow::Better::Lower:
+      return FigureGoal::Lowest;
+    case PublishedRow::Better::Higher:
+      return FigureGoal::Highest;
+    case PublishedRow::Better::AsRecorded:
+      break;
+  }
+  return FigureGoal::None;
+}
+
 /// Nothing where none is stated: a figure that was added without one.
 std::optional<FigureGoal> stated_goal(std::string_view metric) {
   constexpr std::string_view movement = "movement.", published = "published.";
@@ -91,7 +104,7 @@ std::optional<FigureGoal> stated_goal(std::string_view metric) {
   if (metric.starts_with(published))
     for (const PublishedRow& row : published_rows())
       if (is_of_row(metric.substr(published.size()), row.key))
-        return row.better == PublishedRow::Better::Higher ? FigureGoal::Highest : FigureGoal::Lowest;
+        return goal_of(row.better);
   for (const StatedGoal& stated : stated_goals)
     if (stated.name.ends_with('.') ? metric.starts_with(stated.name) : metric == stated.name)
       return stated.goal;

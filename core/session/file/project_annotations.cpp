@@ -117,9 +117,9 @@ class Reader {
 
   Status take_id(Subject& subject, std::int64_t id) {
     if (id < 1 || id >= std::numeric_limits<int>::max())
-      return Error{"the number " + std::to_string(id) + " is none that was given", {}};
+      return Error{"the number " + std::to_string(id) + " is not the number of an annotation (1 to 2147483646)", {}};
     if (!subject.ids.insert(static_cast<int>(id)).second)
-      return Error{"the number " + std::to_string(id) + " is there twice", {}};
+      return Error{"the number " + std::to_string(id) + " is used twice", {}};
     subject.next_id = std::max(subject.next_id, static_cast<int>(id) + 1);
     return Done{};
   }
@@ -136,7 +136,7 @@ class Reader {
     std::set<std::string> names;
     tables_.each("annotated subjects", "subjects", "name, next_number", [&](const SessionStatement& row) {
       const std::string name = row.text(1);
-      if (!names.insert(name).second) return Status(Error{"'" + name + "' is there twice", {}});
+      if (!names.insert(name).second) return Status(Error{"'" + name + "' is used twice", {}});
       Subject subject;
       subject.name = name;
       subject.next_id =

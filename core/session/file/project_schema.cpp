@@ -57,6 +57,7 @@ Status migrate_session_schema(SessionDatabase& database) {
   const auto version = session_version(database);
   if (!version) return version.error();
   if (*version >= session_schema_version) return Done{};
+  static_assert(session_schema_version == 2, "another version needs a step from version 2");
   std::vector<std::string> damage;
   const auto noted = noted_intervals(database, damage);
   if (!damage.empty())

@@ -10,7 +10,7 @@ namespace abrazo {
 
 namespace {
 
-/// What a person draws in a lifetime, and what a file from a stranger may hold at most.
+/// Most rows of a table; more than a person draws in a lifetime, so a file with more is damaged or hostile.
 constexpr std::int64_t most_rows = 10'000'000;
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace abrazo {
 
-/// NatNet 3.0 to 4.1 and later, as OptiTrack Motive sends it (docs/guide/live/natnet.md): requests version
+/// NatNet 3.0 to 4.2, as OptiTrack Motive sends it (docs/guide/live/natnet.md): requests version
 /// and model from the host, keeps the connection alive, and decodes the skeletons' bones in world
 /// coordinates. Options: "multicast=GROUP", "coordinates=global|local", "up=y|z"; without the last two they
 /// are detected from the data and reported in `facts`.

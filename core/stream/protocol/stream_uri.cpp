@@ -110,7 +110,7 @@ Status parse_options(std::string_view text, StreamUri& uri) {
                        "; " + possible_options(uri.scheme, true, true),
                    uri.text};
     if (!uri.options.emplace(key, decoded(field.substr(equals + 1))).second)
-      return Error{"the option " + in_quotes(key) + " is there twice", uri.text};
+      return Error{"the option " + in_quotes(key) + " is given twice", uri.text};
   }
   return Done{};
 }
@@ -119,12 +119,12 @@ Status parse_place(std::string_view place, StreamUri& uri) {
   while (place.ends_with('/')) place.remove_suffix(1);
   if (place.find('/') != std::string_view::npos)
     return Error{
-        "there is nothing below a port: write " + std::string(facts_of(uri.scheme).word) + "://HOST:PORT",
+        "an address ends with the port: write " + std::string(facts_of(uri.scheme).word) + "://HOST:PORT",
         uri.text};
   const auto colon = place.find(':');
   if (place.find('[') != std::string_view::npos ||
       (colon != std::string_view::npos && place.find(':', colon + 1) != std::string_view::npos))
-    return Error{"only IPv4 is spoken here; write a name or an address such as 192.168.1.7", uri.text};
+    return Error{"IPv6 is not supported; write a name or an IPv4 address such as 192.168.1.7", uri.text};
   uri.host = std::string(place.substr(0, colon));
   // Packets from a network are accepted only on request.
   if (uri.host.empty()) uri.host = usual_stream_host;

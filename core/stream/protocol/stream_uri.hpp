@@ -31,10 +31,10 @@ struct StreamUri {
 struct SchemeFacts {
   StreamUri::Scheme scheme = StreamUri::Scheme::Vmc;
   std::string_view word;     ///< of the URI
-  std::string_view sender;   ///< whose packets they are
+  std::string_view sender;   ///< name of the protocol in messages; text of `protocol_of` starts with it
   std::string_view title;    ///< to choose it by
   std::uint16_t port = 0;    ///< the usual one; 0 = none
-  bool asks_server = false;  ///< the host is a server that is asked, not an address that is listened at
+  bool asks_server = false;  ///< the host is a server that sends on request, not an address of this machine
 };
 /// In the order of Scheme.
 std::span<const SchemeFacts> stream_schemes();

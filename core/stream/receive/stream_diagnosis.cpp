@@ -13,7 +13,7 @@ namespace {
 using Severity = StreamDiagnosis::Severity;
 using Scheme = StreamUri::Scheme;
 
-constexpr double patience_s = 2;  ///< before silence or strangeness is worth a word
+constexpr double patience_s = 2;  ///< before silence or unreadable packets are reported
 constexpr double stalled_s = 1;
 constexpr double frozen_after_s = 1;
 constexpr double remembered_s = 10;  ///< time for which a jump or restart is shown
@@ -164,7 +164,7 @@ void look_for_bones(const StreamObservation& seen, Advice& advice) {
       text += ": in MVN's network streamer tick Position + Orientation (quaternion)";
       break;
   }
-  if (!seen.latest_issue.empty()) text += ". The newest oddity: " + seen.latest_issue;
+  if (!seen.latest_issue.empty()) text += ". The newest problem: " + seen.latest_issue;
   advice.add(Severity::Error, "no-bones", text);
 }
 

@@ -186,7 +186,7 @@ Result<std::unique_ptr<PoseSink>> PoseSink::open(const StreamUri& uri, const Bod
   if (!host) return host.error();
   const bool is_server = uri.scheme == StreamUri::Scheme::NatNet && has_address(*host);
   if (!is_server && (*host == 0 || uri.port == 0))
-    return Error{"it is not said who receives: write the receiver's address and port", uri.text};
+    return Error{"the receiver is missing: write the receiver's address and port", uri.text};
   Result<Outlet> outlet = is_server ? open_server(uri, *host) : open_towards(uri, *host);
   if (!outlet) return outlet.error();
   SinkHealth health;

@@ -36,7 +36,7 @@ Vec3 mvn_to_y_up(const Vec3& v) {
   return {v.y(), v.z(), v.x()};
 }
 
-/// What is farther than a person is large, though it lies on the person, is in centimetres.
+/// Metres per unit: a length that no person reaches in metres is in centimetres.
 double unit_of(double length, double longest_m) {
   return length > longest_m ? 0.01 : 1.0;
 }

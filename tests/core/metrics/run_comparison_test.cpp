@@ -51,14 +51,14 @@ class Steps {
 
 TEST(RunComparison, TheLagIsHowFarThePartnerIsFromTheSelectedPair) {
   const Steps steps({step_with(0.02), step_with(0.02), step_with(0.05), step_with(0.05)});
-  EXPECT_NEAR(at(steps.measured(), RunFigure::Lag), 0.035, 1e-12);
+  EXPECT_NEAR(at(steps.measured(), RunFigure::BehindSelected), 0.035, 1e-12);
   EXPECT_NEAR(at(steps.measured(), RunFigure::DeformationEnergy), 0.5, 1e-12);
   EXPECT_NEAR(at(steps.measured(), RunFigure::StepTime), 400e-6, 1e-12);
 }
 
 TEST(RunComparison, ThePartnerOfAPassiveUserIsTheActiveBody) {
   const Steps steps({step_with(0.02), step_with(0.02)});
-  EXPECT_EQ(at(steps.measured(UserRole::Passive), RunFigure::Lag), 0);
+  EXPECT_EQ(at(steps.measured(UserRole::Passive), RunFigure::BehindSelected), 0);
 }
 
 TEST(RunComparison, APartnerThatGlidesOverTheFloorSlides) {
@@ -83,7 +83,7 @@ TEST(RunComparison, WhatCannotBeMeasuredIsNotANumber) {
   FrameResult failed = step_with(0);
   failed.status = StepStatus::Failed;
   const RunFigures values = Steps({failed, failed}).measured();
-  EXPECT_TRUE(std::isnan(at(values, RunFigure::Lag)));
+  EXPECT_TRUE(std::isnan(at(values, RunFigure::BehindSelected)));
   EXPECT_TRUE(std::isnan(at(values, RunFigure::ZmpError)));
   EXPECT_EQ(at(values, RunFigure::Unmet), 100);
   for (const double value : measure_run({}, *library(), UserRole::Active)) EXPECT_TRUE(std::isnan(value));
@@ -96,8 +96,8 @@ TEST(RunComparison, StepsAreComparedOneByOne) {
   ASSERT_EQ(compared.size(), 2U);
   EXPECT_NEAR(compared[0].b[of(StepFigure::PartnerDistance)], 0.03, 1e-12);
   EXPECT_NEAR(compared[1].b[of(StepFigure::PartnerDistance)], 0, 1e-12);
-  EXPECT_NEAR(compared[0].b[of(StepFigure::Lag)], 0.03, 1e-12);
-  EXPECT_NEAR(compared[1].a[of(StepFigure::Lag)], 0.01, 1e-12);
+  EXPECT_NEAR(compared[0].b[of(StepFigure::BehindSelected)], 0.03, 1e-12);
+  EXPECT_NEAR(compared[1].a[of(StepFigure::BehindSelected)], 0.01, 1e-12);
   EXPECT_DOUBLE_EQ(compared[1].time_s, 1.0 / 60);
 }
 

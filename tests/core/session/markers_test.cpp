@@ -79,12 +79,12 @@ TEST(Markers, ComeBackFromTheirTextAndWhatIsNoneIsLeftOut) {
       R"([{"id":5,"time_s":1},{"id":5,"time_s":2},{"id":-3,"time_s":0.5},{"id":9},3,{"time_s":"late"}])");
   ASSERT_EQ(odd.all().size(), 3U);
   EXPECT_EQ(odd.all()[1].id, 5);
-  EXPECT_NE(odd.all()[2].id, 5) << "no id is there twice";
+  EXPECT_NE(odd.all()[2].id, 5) << "no id is used twice";
   EXPECT_TRUE(parse_markers("no markers").empty());
 }
 
 TEST(Markers, RestoredOnesNeverShareAnIdWithANewOne) {
-  // A file that was edited by hand: the next id is too small, one id is there twice and one is none.
+  // A file that was edited by hand: the next id is too small, one id is used twice and one is invalid.
   Markers markers = Markers::restored({{4, 1, "a"}, {4, 2, "b"}, {0, 3, "c"}}, 2);
   std::set<int> ids{markers.add(4), markers.add(5)};
   for (const Marker& marker : markers.all()) ids.insert(marker.id);

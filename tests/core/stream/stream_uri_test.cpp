@@ -57,7 +57,7 @@ TEST(StreamUri, SaysWhatIsPossibleWhenItIsWrong) {
   EXPECT_THAT(error_of("osc://host:1"), HasSubstr("expected vmc://HOST:PORT, natnet://HOST"));
   EXPECT_THAT(error_of("vmc:host"), HasSubstr("vmc://HOST:PORT"));
   EXPECT_THAT(error_of("vmc://host:70000"), HasSubstr("expected a number from 1 to 65535"));
-  EXPECT_THAT(error_of("vmc://host:39539/avatar"), HasSubstr("nothing below a port"));
+  EXPECT_THAT(error_of("vmc://host:39539/avatar"), HasSubstr("ends with the port"));
   EXPECT_THAT(error_of("vmc://[::1]:39539"), HasSubstr("IPv4"));
   EXPECT_THAT(error_of("vmc://ho st"), HasSubstr("neither a name nor an address"));
   EXPECT_THAT(error_of("vmc://host?dely=20"), AllOf(HasSubstr("'dely'"), HasSubstr("delay=MILLISECONDS")));
