@@ -306,9 +306,11 @@ void add_options(CLI::App& live, LiveOptions& options) {
        "every network")
       ->required()
       ->type_name("URI");
-  list("--send", options.send, "address that the partner is sent to, such as vmc://127.0.0.1:39540; may be repeated")
+  list("--send", options.send,
+       "address that the partner is sent to, such as vmc://127.0.0.1:39540; may be repeated")
       ->type_name("URI");
-  list("--send-user", options.send_user, "address that the user, as received by the solver, is sent to; may be repeated")
+  list("--send-user", options.send_user,
+       "address that the user, as received by the solver, is sent to; may be repeated")
       ->type_name("URI");
   CLI::Option* record = live.add_option("--record", options.record,
                                         "everything into a session file; an existing one is continued")

@@ -46,7 +46,8 @@ void bind_evaluation(py::module_& module) {
       py::arg("settings") = py::none(), py::arg("variants") = true, py::arg("progress") = py::none(),
       "The paper's tables and further metrics on the takes of a manifest: a dict, the report.json of "
       "`abrazo evaluate`.\n\n"
-      "parts: of 'selection', 'timing', 'moves', 'zmp', 'contact', 'published', 'bodies', or 'all'; users: manifest of other "
+      "parts: of 'selection', 'timing', 'moves', 'zmp', 'contact', 'published', 'bodies', or 'all'; users: "
+      "manifest of other "
       "people's takes;\nhold_out: names of the takes to be answered, by default each; variants: also users "
       "of other builds and disturbed\ninput. What is odd about a file is a UserWarning. Raises "
       "abrazo.Error.");

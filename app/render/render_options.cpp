@@ -144,7 +144,8 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
   };
   add_switch("--mesh", options.mesh, "the interaction mesh");
   add_switch("--user", options.user, "the user's skeleton");
-  add_switch("--ahead", options.ahead, "session: the next positions of the partner if the recording continues");
+  add_switch("--ahead", options.ahead,
+             "session: the next positions of the partner if the recording continues");
   add_switch("--captions", options.captions, "frame, time and source written into the picture");
   const auto add_character = [&](const char* name, std::string& file, const char* which) {
     command

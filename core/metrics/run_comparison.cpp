@@ -41,7 +41,8 @@ constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
 
 constexpr std::array<RunFigureInfo, step_figure_count> step_infos = {{
     {"Partner, A to B", "mm", 1e3, 0, "Mean distance between the partner's joints of A and of B."},
-    {"Behind selected pair", "mm", 1e3, 0, "Mean distance of the partner's joints from those of the selected pair."},
+    {"Behind selected pair", "mm", 1e3, 0,
+     "Mean distance of the partner's joints from those of the selected pair."},
     {"Hold change", "mm", 1e3, 1, "Hands that hold one another in the selected pair: change of distance."},
     {"Deformation", "m²", 1, 3, "Deformation energy E_L against the selected pair."},
     {"Penetration", "mm", 1e3, 1, "Deepest overlap of the bodies beyond the selected pair's own."},

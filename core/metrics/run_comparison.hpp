@@ -56,7 +56,14 @@ struct RunStep {
 RunFigures measure_run(std::span<const RunStep> steps, const MotionLibrary& library, UserRole user_role);
 
 /// Figures of two runs plotted over time, one value per step.
-enum class StepFigure { PartnerDistance, BehindSelected, HoldChange, DeformationEnergy, Penetration, StepTime };
+enum class StepFigure {
+  PartnerDistance,
+  BehindSelected,
+  HoldChange,
+  DeformationEnergy,
+  Penetration,
+  StepTime
+};
 inline constexpr std::size_t step_figure_count = 6;
 const RunFigureInfo& info_of(StepFigure figure);
 

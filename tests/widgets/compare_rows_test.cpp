@@ -49,8 +49,10 @@ TEST(FigureRows, WhatCannotBeMeasuredIsADash) {
 }
 
 TEST(FigureRows, EveryFigureHasARow) {
-  EXPECT_EQ(figure_rows(figures_with(RunFigure::BehindSelected, 0), figures_with(RunFigure::BehindSelected, 0)).size(),
-            run_figure_count);
+  EXPECT_EQ(
+      figure_rows(figures_with(RunFigure::BehindSelected, 0), figures_with(RunFigure::BehindSelected, 0))
+          .size(),
+      run_figure_count);
 }
 
 TEST(DifferingSettings, OnlyWhatDiffersIsNamedInTheRunsOwnValue) {

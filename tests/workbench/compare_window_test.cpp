@@ -46,7 +46,9 @@ class CompareInTheWindow : public DemoWindow {
       if (action->text() == text) return action->trigger();
     FAIL() << text.toStdString();
   }
-  static double lag(const RunFigures& figures) { return figures[static_cast<std::size_t>(RunFigure::BehindSelected)]; }
+  static double lag(const RunFigures& figures) {
+    return figures[static_cast<std::size_t>(RunFigure::BehindSelected)];
+  }
 };
 
 TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {

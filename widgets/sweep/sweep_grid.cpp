@@ -36,8 +36,8 @@ struct UnitEnding {
 };
 /// Longer endings first: "_m_per_s" ends with "_s" too.
 constexpr std::array unit_endings = {
-    UnitEnding{"_m_per_s", "m/s"}, UnitEnding{"_per_s", "1/s"},   UnitEnding{"_per_100", "per 100 steps"},
-    UnitEnding{"_s", "s"},         UnitEnding{"_ms", "ms"},       UnitEnding{"_m", "m"},
+    UnitEnding{"_m_per_s", "m/s"},  UnitEnding{"_per_s", "1/s"}, UnitEnding{"_per_100", "per 100 steps"},
+    UnitEnding{"_s", "s"},          UnitEnding{"_ms", "ms"},     UnitEnding{"_m", "m"},
     UnitEnding{"_asf", "ASF units"}};
 
 }  // namespace

@@ -93,7 +93,8 @@ std::vector<std::string> movement_definitions() {
       "result (13 cm), those within 20 cm in the capture.",
       "Change of source: the selection reports it, or the pair is from another take or role, earlier, or "
       "more than 1/3 s later in the take than the one before. Pace: source time divided by elapsed time, at "
-      "the other steps. Beyond what its own velocity explains: distance of the joints, on average, from where "
+      "the other steps. Beyond what its own velocity explains: distance of the joints, on average, from "
+      "where "
       "the velocities of the step before would have brought them."};
 }
 

@@ -103,8 +103,7 @@ std::optional<FigureGoal> stated_goal(std::string_view metric) {
       if (is_of_row(metric.substr(movement.size()), row.key)) return row.goal;
   if (metric.starts_with(published))
     for (const PublishedRow& row : published_rows())
-      if (is_of_row(metric.substr(published.size()), row.key))
-        return goal_of(row.better);
+      if (is_of_row(metric.substr(published.size()), row.key)) return goal_of(row.better);
   for (const StatedGoal& stated : stated_goals)
     if (stated.name.ends_with('.') ? metric.starts_with(stated.name) : metric == stated.name)
       return stated.goal;

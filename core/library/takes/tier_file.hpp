@@ -58,7 +58,8 @@ Result<TierDocument> parse_tiers(std::string_view text, const std::string& name,
 Result<TierDocument> read_tiers(const std::filesystem::path& file, const TierReading& reading);
 
 /// Tiers in the format of the extension. CSV in seconds and JSON read back to the same doubles, the others to
-/// whole milliseconds; vocabularies, kinds and empty tiers are kept by .eaf and .json, detail and confidence also by CSV.
+/// whole milliseconds; vocabularies, kinds and empty tiers are kept by .eaf and .json, detail and confidence
+/// also by CSV.
 /// @param name  gives the format, and the place in messages
 Result<TierText> write_tiers(std::span<const Tier> tiers, const std::string& name,
                              const TierWriting& writing);

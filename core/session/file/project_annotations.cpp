@@ -117,7 +117,8 @@ class Reader {
 
   Status take_id(Subject& subject, std::int64_t id) {
     if (id < 1 || id >= std::numeric_limits<int>::max())
-      return Error{"the number " + std::to_string(id) + " is not the number of an annotation (1 to 2147483646)", {}};
+      return Error{
+          "the number " + std::to_string(id) + " is not the number of an annotation (1 to 2147483646)", {}};
     if (!subject.ids.insert(static_cast<int>(id)).second)
       return Error{"the number " + std::to_string(id) + " is used twice", {}};
     subject.next_id = std::max(subject.next_id, static_cast<int>(id) + 1);

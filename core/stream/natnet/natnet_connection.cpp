@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/stream/net/usual_ports.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -20,7 +22,6 @@ constexpr double answer_within_s = 2;
 constexpr double stamps_differ_s = 0.05;
 /// Poses read within it show that the version is right.
 constexpr double reading_within_s = 0.5;
-constexpr std::uint16_t command_port = 1510;
 constexpr double smoothing = 0.05;
 
 bool is_answer(const std::optional<double>& asked_s, double arrived_s) {
@@ -47,7 +48,7 @@ std::optional<NatNetVersion> NatNetConnection::version() const {
 }
 
 void NatNetConnection::set_server_place(const Endpoint& from) {
-  server_place_ = {from.address, command_port};
+  server_place_ = {from.address, natnet_command_port};
 }
 
 bool NatNetConnection::expects_server_info(double arrived_s) const {

@@ -7,6 +7,7 @@
 #include "core/base/text.hpp"
 #include "core/stream/natnet/natnet_connection.hpp"
 #include "core/stream/natnet/natnet_performer.hpp"
+#include "core/stream/net/usual_ports.hpp"
 #include "core/stream/protocol/sender_hold.hpp"
 
 namespace abrazo {
@@ -47,8 +48,7 @@ Result<NatNetOptions> parse_natnet_options(const StreamUri& uri) {
   if (const std::string given = uri.option("multicast"); !given.empty()) {
     const auto group = parse_natnet_group(given);
     if (!group) return wrong("multicast", "a group from 224.0.0.0 to 239.255.255.255, usually 239.255.42.99");
-    constexpr std::uint16_t usual_data_port = 1511;
-    options.group = Endpoint{*group, usual_data_port};
+    options.group = Endpoint{*group, natnet_data_port};
   }
   return options;
 }

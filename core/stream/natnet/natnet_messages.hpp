@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/stream/net/usual_ports.hpp"
 #include "core/stream/protocol/byte_reader.hpp"
 #include "core/stream/protocol/byte_writer.hpp"
 
@@ -62,7 +63,7 @@ struct NatNetServerInfo {
   int application_version[4]{};
   NatNetVersion version;
   std::uint64_t clock_hz = 0;  ///< of the high-resolution time stamps
-  std::uint16_t data_port = 1511;
+  std::uint16_t data_port = natnet_data_port;
   bool multicast = false;
   std::uint32_t group = 0;  ///< IPv4, host byte order
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/text.hpp"
+#include "core/stream/net/usual_ports.hpp"
 
 namespace abrazo {
 
@@ -20,11 +21,11 @@ struct UsualOwner {
 };
 
 constexpr std::array usual_owners = {
-    UsualOwner{39539, "VSeeFace, Warudo, a Unity or Unreal receiver, or another Abrazo"},
-    UsualOwner{39540, "Virtual Motion Capture, or another Abrazo"},
-    UsualOwner{1510, "Motive, or another Abrazo"},
-    UsualOwner{1511, "Motive, another NatNet client, or another Abrazo"},
-    UsualOwner{9763, "Xsens MVN, another of its receivers, or another Abrazo"}};
+    UsualOwner{vmc_port, "VSeeFace, Warudo, a Unity or Unreal receiver, or another Abrazo"},
+    UsualOwner{vmc_sender_port, "Virtual Motion Capture, or another Abrazo"},
+    UsualOwner{natnet_command_port, "Motive, or another Abrazo"},
+    UsualOwner{natnet_data_port, "Motive, another NatNet client, or another Abrazo"},
+    UsualOwner{xsens_port, "Xsens MVN, another of its receivers, or another Abrazo"}};
 
 /// The kernel's number of the socket that is bound to the port ("sl local_address rem_address st ... inode").
 std::optional<std::string> socket_number(std::uint16_t port) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "core/stream/net/usual_ports.hpp"
 
 namespace abrazo {
 
@@ -14,9 +15,9 @@ namespace {
 using Scheme = StreamUri::Scheme;
 
 constexpr std::array schemes = {
-    SchemeFacts{Scheme::Vmc, "vmc", "VMC", "VMC", 39539, false},
-    SchemeFacts{Scheme::NatNet, "natnet", "NatNet", "NatNet (Motive)", 1510, true},
-    SchemeFacts{Scheme::Xsens, "xsens", "Xsens MVN", "Xsens MVN", 9763, false},
+    SchemeFacts{Scheme::Vmc, "vmc", "VMC", "VMC", vmc_port, false},
+    SchemeFacts{Scheme::NatNet, "natnet", "NatNet", "NatNet (Motive)", natnet_command_port, true},
+    SchemeFacts{Scheme::Xsens, "xsens", "Xsens MVN", "Xsens MVN", xsens_port, false},
     SchemeFacts{Scheme::Clip, "clip", "clip", "Clip, replayed", 0, false}};
 
 constexpr bool is_in_order() {

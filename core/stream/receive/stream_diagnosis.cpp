@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/base/text.hpp"
+#include "core/stream/net/usual_ports.hpp"
 
 namespace abrazo {
 
@@ -98,7 +99,8 @@ void look_for_silence(const StreamObservation& seen, Advice& advice) {
         Severity::Error, "no-packets",
         since + seen.uri.host + " does not answer on port " + port +
             ". In Motive switch streaming on and choose the network interface instead of loopback; let UDP " +
-            port + " and 1511 through both firewalls; where Wi-Fi blocks multicast choose unicast");
+            port + " and " + std::to_string(natnet_data_port) +
+            " through both firewalls; where Wi-Fi blocks multicast choose unicast");
   else if (only_here)
     advice.add(Severity::Error, "no-packets",
                since + "only packets of this machine are taken at " + seen.uri.host +

@@ -54,8 +54,8 @@ struct StreamObservation {
   std::vector<PerformerObservation> performers;
 };
 
-/// Which protocol a packet looks like: "VMC (OSC)", "NatNet", "Xsens MVN (MXTP)", "Rokoko (JSON)", ...; none if
-/// unknown.
+/// Which protocol a packet looks like: "VMC (OSC)", "NatNet", "Xsens MVN (MXTP)", "Rokoko (JSON)", ...; none
+/// if unknown.
 std::optional<std::string> protocol_of(const std::array<std::uint8_t, 16>& first_bytes, std::size_t count,
                                        std::size_t packet_size);
 

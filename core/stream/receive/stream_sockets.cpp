@@ -2,13 +2,14 @@
 
 #include <array>
 
+#include "core/stream/net/usual_ports.hpp"
+
 namespace abrazo {
 
 namespace {
 
 constexpr int packets_at_once = 256;
 constexpr std::size_t largest_packet = 65536;  ///< none over IPv4 is larger
-constexpr std::uint16_t natnet_data_port = 1511, natnet_command_port = 1510;
 
 }  // namespace
 

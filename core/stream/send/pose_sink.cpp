@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "core/stream/net/udp_socket.hpp"
+#include "core/stream/net/usual_ports.hpp"
 #include "core/stream/send/encoders.hpp"
 
 namespace abrazo {
 
 namespace {
 
-constexpr std::uint16_t natnet_sink_port = 1511;
 constexpr double asker_is_forgotten_s = 10;  ///< a receiver of frames requests them again about once a second
 constexpr std::size_t most_askers = 32;
 constexpr int questions_at_once = 16;
@@ -160,7 +160,7 @@ Result<Outlet> open_server(const StreamUri& uri, std::uint32_t host) {
   if (!through) return through.error();
   if (*through != 0)
     if (const Status chosen = server.socket->send_through(*through); !chosen) return chosen.error();
-  server.receiver = Endpoint{*address, natnet_sink_port};
+  server.receiver = Endpoint{*address, natnet_data_port};
   return server;
 }
 

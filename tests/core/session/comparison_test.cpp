@@ -86,7 +86,8 @@ TEST_F(Recorded, TwoRunsAreSolvedOverTheSameFrames) {
   EXPECT_EQ(result->steps.size(), history.range(1, 2).size());
   EXPECT_EQ(result->a->span().frames, result->b->span().frames);
   EXPECT_EQ(result->settings_a, slow_settings());
-  EXPECT_GT(value(result->figures_a, RunFigure::BehindSelected), value(result->figures_b, RunFigure::BehindSelected));
+  EXPECT_GT(value(result->figures_a, RunFigure::BehindSelected),
+            value(result->figures_b, RunFigure::BehindSelected));
   EXPECT_GT(result->steps.back().b[static_cast<std::size_t>(StepFigure::PartnerDistance)], 0.001);
 }
 
