@@ -142,4 +142,5 @@ def main():
         write(folder, *layout)
 
 
-main()
+if __name__ == "__main__":
+    main()

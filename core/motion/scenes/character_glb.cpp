@@ -91,18 +91,12 @@ Result<std::vector<std::string>> write_character_glbs(std::string_view character
   auto read = read_humanoid_rig(*file, where);
   if (!read) return read.error();
   const auto rig = std::make_shared<const HumanoidRig>(std::move(*read));
-  std::vector<RigPlace> places;
-  double path = 0;
-  for (const Clip& clip : clips) {
-    places.push_back(place_on_rig(*rig, stance_of(clip.poses)));
-    path += places.back().path / static_cast<double>(clips.size());
-  }
+  std::vector<RigMotion> motions = rig_motions(rig, clips);
   std::vector<std::string> performances;
   for (std::size_t c = 0; c < clips.size(); ++c) {
     GlbFile glb = *file;
     if (!has_lists(glb.json)) return Error{"its buffers are damaged", where};
-    places[c].path = path;
-    RigMotion motion(rig, clips[c], places[c]);
+    RigMotion& motion = motions[c];
     RigKeys keys;
     for (std::size_t f = 0; f < clips[c].poses.size(); ++f) {
       motion.set_pose(clips[c].poses[f], 1 / clips[c].fps);

@@ -148,4 +148,20 @@ void RigMotion::set_pose(const Pose& pose, double dt_s) {
   }
 }
 
+std::vector<RigMotion> rig_motions(const std::shared_ptr<const HumanoidRig>& rig,
+                                   std::span<const Clip> clips) {
+  std::vector<RigPlace> places;
+  double path = 0;
+  for (const Clip& clip : clips) {
+    places.push_back(place_on_rig(*rig, stance_of(clip.poses)));
+    path += places.back().path / static_cast<double>(clips.size());
+  }
+  std::vector<RigMotion> motions;
+  for (std::size_t c = 0; c < clips.size(); ++c) {
+    places[c].path = path;
+    motions.emplace_back(rig, clips[c], places[c]);
+  }
+  return motions;
+}
+
 }  // namespace abrazo

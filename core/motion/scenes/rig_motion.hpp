@@ -85,4 +85,10 @@ class RigMotion {
   double rig_ankle_rest_ = 0;
 };
 
+/// For each clip of one scene the motion of a character that performs it. The path of all is scaled by the
+/// mean of their legs: hands that meet in the clips meet on the rigs.
+/// @param clips  not empty
+std::vector<RigMotion> rig_motions(const std::shared_ptr<const HumanoidRig>& rig,
+                                   std::span<const Clip> clips);
+
 }  // namespace abrazo
