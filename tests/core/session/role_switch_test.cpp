@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/session/run/live_loop.hpp"
 #include "core/session/run/re_solver.hpp"
@@ -239,6 +241,17 @@ TEST_F(RoleByLeader, ADistanceIsWhatTheFormulaSays) {
   EXPECT_LT(judge.fit().active_m, 0.02) << "the recorded stretch itself";
   EXPECT_GT(judge.fit().passive_m, 0.05);
   EXPECT_GT(judge.fit().evidence, 0);
+}
+
+TEST_F(RoleByLeader, TheStretchBeginsASecondBeforeThePose) {
+  Clip clip = equal_take("first", 180, 1).a;
+  const Body body = body_of(std::span(clip.poses));
+  // Somewhere else until 0.9 s before the end: of the six poses of the stretch only the earliest.
+  const std::size_t end = 120, here = end - 54;
+  for (std::size_t i = 0; i < here; ++i) clip.poses[i].col(0).array() += 0.6;
+  LeaderJudge judge(views);
+  for (std::size_t i = 0; i <= end; ++i) judge.see(clip.poses[i], body, static_cast<double>(i) * frame_s);
+  EXPECT_NEAR(judge.fit().active_m, 0.6 / std::sqrt(6), 0.03) << "by the formula of the header";
 }
 
 TEST(SolvedAgain, WithPinsVetoesMeantMovesAndChangesOfRoleTheBitsAreTheSame) {

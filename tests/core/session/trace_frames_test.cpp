@@ -121,6 +121,7 @@ TEST_F(TraceFile, ThatIsBrokenIsRefusedWithItsLine) {
   EXPECT_THAT(refusal(frame("\"edges\":[[0,1]", same)), HasSubstr("has the edge between 48 and 49 twice"));
   EXPECT_THAT(refusal(frame("\"selected\":1", "\"selected\":3")), HasSubstr("no index into \"candidates\""));
   EXPECT_THAT(refusal(frame("active.right", "active.tail")), HasSubstr("\"foot_locks\" has to be names"));
+  EXPECT_THAT(refusal(header + std::string((16u << 20) + 1, ' ')), HasSubstr(":2: is too long a line"));
   EXPECT_THAT(refusal(trace_of({1, 0.5})),
               HasSubstr(":3: its time 0.5 is before that of the line before, 1"));
 }

@@ -234,6 +234,48 @@ TEST(NatNetModelDescription, AnAssetIsPassedOverWhole) {
   }
 }
 
+TEST(NatNetModelDescription, AnAssetThatIsCutOffIsNotRead) {
+  ByteWriter writer(ByteOrder::Little);
+  for (const int head : {1, 6}) writer.i32(head);
+  const std::size_t size_at = writer.size();
+  writer.u32(0);
+  writer.c_string("A");
+  for (const int number : {1, 2, 0, 1}) writer.i32(number);
+  writer.c_string("LeftAnkleOutside");
+  for (int rest = 0; rest < 20; ++rest) writer.u8(0);  // of the 22 bytes behind the marker's name
+  writer.u32_at(size_at, static_cast<std::uint32_t>(writer.size() - size_at - 4));
+  ByteReader reader(writer.bytes(), ByteOrder::Little);
+  const auto model = parse_natnet_model(reader, v41);
+  ASSERT_TRUE(model) << model.error().text();
+  EXPECT_EQ(model->assets, 0u);
+  ASSERT_EQ(model->unread.size(), 1u);
+  EXPECT_NE(model->unread[0].find("a marker's description"), std::string::npos) << model->unread[0];
+}
+
+TEST(NatNetModelDescription, ADeviceIsCountedAndItsChannelsPassedOver) {
+  ByteWriter writer(ByteOrder::Little);
+  for (const int head : {2, 4}) writer.i32(head);  // two descriptions, of which the first is a device
+  const std::size_t size_at = writer.size();
+  writer.u32(0);
+  writer.i32(1);
+  writer.c_string("amplifier");
+  writer.c_string("A-1");
+  for (const int number : {1, 2, 2}) writer.i32(number);  // kind, kind of its data, channels
+  writer.c_string("left");
+  writer.c_string("right");
+  writer.u32_at(size_at, static_cast<std::uint32_t>(writer.size() - size_at - 4));
+  writer.i32(5);  // a camera
+  writer.u32(2 + 28);
+  writer.c_string("C");
+  for (int rest = 0; rest < 28; ++rest) writer.u8(0);
+  ByteReader reader(writer.bytes(), ByteOrder::Little);
+  const auto model = parse_natnet_model(reader, v41);
+  ASSERT_TRUE(model) << model.error().text();
+  EXPECT_EQ(model->devices, 1u);
+  EXPECT_EQ(model->cameras, 1u);
+  EXPECT_TRUE(model->unread.empty());
+}
+
 TEST(NatNetModelDescription, AnUnknownKindCostsOnlyItselfWhereSizesAreSent) {
   const auto bytes = test::bytes_of("02 00 00 00  63 00 00 00 02 00 00 00 EE EE" +
                                     std::string("05 00 00 00 1E 00 00 00 43 00") + std::string(56, '0'));

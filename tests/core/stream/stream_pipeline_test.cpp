@@ -383,6 +383,15 @@ TEST(StreamPipeline, SaysWhatWasWrongWithTheTPose) {
   EXPECT_FALSE(silent.performer().calibrated);
 }
 
+TEST(StreamPipeline, TurnsTheAxesOfVmcOnly) {
+  const auto is_turned = [](const char* uri) {
+    return performer_options(*parse_stream_uri(uri), {})->assembly.correction.z_up;
+  };
+  EXPECT_TRUE(is_turned("vmc://h?up=z"));
+  EXPECT_FALSE(is_turned("vmc://h?up=y"));
+  EXPECT_FALSE(is_turned("natnet://h?up=z")) << "its decoder does";
+}
+
 TEST(StreamPipeline, RefusesOptionsThatDoNotFit) {
   const auto error = [](const std::string& uri) {
     const auto options = performer_options(*parse_stream_uri(uri), {});

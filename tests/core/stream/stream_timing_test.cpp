@@ -269,6 +269,27 @@ TEST(ArrivalMeter, GivesRateAndPercentilesOfTheLastSecond) {
   EXPECT_EQ(meter.times(now_s + 1.1).rate_hz, 0) << "nothing comes any more";
 }
 
+TEST(ArrivalMeter, TwoArrivalsHaveOneInterval) {
+  ArrivalMeter meter;
+  for (const double now_s : {1.0, 1.02}) meter.add(now_s - 0.003, now_s);
+  const ArrivalMeter::Times times = meter.times(1.02);
+  for (const double interval_ms : {times.interval_p50_ms, times.interval_p95_ms})
+    EXPECT_NEAR(interval_ms, 20, 1e-6);
+  for (const double assembly_ms : {times.assembly_p50_ms, times.assembly_p95_ms})
+    EXPECT_NEAR(assembly_ms, 3, 1e-6);
+}
+
+TEST(PostureMeter, CountsJumpsThatDoNotComeBackAsJumpsOnly) {
+  PostureMeter meter;
+  Pose pose = test::standing_pose();
+  for (int i = 0; i <= 240; ++i) {
+    if (i % 2 == 0) pose.col(0).array() += 1;  // metres, and on the same way
+    meter.add(pose, i / 60.0);
+  }
+  EXPECT_NEAR(meter.posture().jumps, 0.5, 0.03) << "every other frame; the last one weighs 5 %";
+  EXPECT_LT(meter.posture().alternating, 0.01);
+}
+
 TEST(PostureMeter, SeesWhetherThePoseIsFrozenAndWhetherItAlternates) {
   const Pose here = test::standing_pose();
   const Pose there = test::moved(here, 1, Vec3(2, 0, 0));

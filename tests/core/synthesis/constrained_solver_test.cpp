@@ -85,6 +85,20 @@ PairPose solved(const Problem& problem) {
   return positions;
 }
 
+TEST(ConstrainedSolver, ItsStiffnessBetweenTwoJointsIsThatOfTheEnergy) {
+  const Problem problem(1);
+  ConstrainedSolver solver;
+  ASSERT_TRUE(solver.set_energy(problem.energy));
+  const Eigen::MatrixXd energy = problem.energy;
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(7, 30), std::pair(49, 3)}) {
+    Eigen::VectorXd apart = Eigen::VectorXd::Zero(pair_vertex_count);
+    apart(a) = 1;
+    apart(b) = -1;
+    const double by_hand = 1 / apart.dot(energy.ldlt().solve(apart));
+    EXPECT_NEAR(solver.stiffness(a, b), by_hand, 1e-9 * by_hand) << a << ' ' << b;
+  }
+}
+
 TEST(ConstrainedSolver, EqualsADenseKktSolve) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     const Problem problem(seed);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
@@ -75,6 +77,21 @@ TEST(FootPlants, AFootThatTheRecordingLiftsLeavesTheFloorBeforeItMoves) {
       EXPECT_GT(moved_m, 0.3) << "it goes where it should all the same";
     }
   }
+}
+
+TEST(FootPlants, AFootThatLeavesTheFloorIsNotJerkedUp) {
+  FootPlants plants;
+  for (int step = 0; step < 60; ++step) plants.update(drifting(0, 0), step == 0 ? 0 : step_s);
+  const double stood_m = plants.feet()[0].shown.y();
+  auto feet = drifting(0, 0);
+  feet[0].lands = false;
+  feet[0].lands_in_s = 0.4;
+  feet[0].recorded_height = rest_height + 0.15;
+  const double risen_m = plants.update(feet, step_s)[0].y() - stood_m;
+  ASSERT_TRUE(plants.feet()[0].planted);
+  // A critically damped spring of 24/s: 1 - (1 + w t) exp(-w t) of the way to 6 cm over rest.
+  const double way_m = rest_height + 0.06 - stood_m, passed = 24 * step_s;
+  EXPECT_NEAR(risen_m, way_m * (1 - (1 + passed) * std::exp(-passed)), 1e-4);
 }
 
 TEST(FootPlants, AFootInTheAirMakesForWhereTheBodyGoes) {
@@ -220,6 +237,31 @@ TEST(FootPlants, ALegReachesWhereItCanAndKeepsItsBones) {
   }
 }
 
+TEST(FootPlants, ALegStretchesSoftlyUpToAlmostItsLength) {
+  Pose standing = test::standing_pose();
+  const int hip = joints::left_hip, ankle = hip + 2;
+  standing.row(hip) -= Eigen::RowVector3d(0, 0.05, 0);  // so that the knee is bent
+  const Body body = body_of(test::standing_pose());
+  const double whole_m =
+      body.bone_lengths[static_cast<std::size_t>(hip)] + body.bone_lengths[static_cast<std::size_t>(hip + 1)];
+  const auto reach = [&](double away_m) {
+    Pose pose = standing;
+    place_foot(pose, body, true, Vec3(standing.row(joints::left_toe_base)) + Vec3(away_m, 0, 0),
+               Vec3::UnitZ());
+    return (pose.row(ankle) - pose.row(hip)).norm();
+  };
+  const double free_m = reach(0), room_m = 0.985 * whole_m - free_m;
+  ASSERT_GT(room_m, 0.01);
+  double before_m = free_m;
+  for (const double away_m : {0.05, 0.1, 0.15, 0.2, 0.25}) {
+    const Vec3 asked = Vec3(standing.row(ankle)) + Vec3(away_m, 0, 0) - Vec3(standing.row(hip));
+    const double beyond_m = asked.norm() - free_m;
+    EXPECT_NEAR(reach(away_m), free_m + room_m * (1 - std::exp(-beyond_m / room_m)), 1e-6) << away_m;
+    EXPECT_GT(reach(away_m), before_m);
+    before_m = reach(away_m);
+  }
+}
+
 TEST(FootPlants, AFootThatIsLowAndSlowStandsInTheRecording) {
   PairedTake take = test::swinging_take("stands", 60, 1);
   for (Pose& pose : take.b.poses) pose = test::moved(test::standing_pose(), 3, Vec3(0, 0, 0.7));
@@ -231,6 +273,10 @@ TEST(FootPlants, AFootThatIsLowAndSlowStandsInTheRecording) {
   EXPECT_TRUE(stands_in_recording(library, {10, 0, 1}, true));
   EXPECT_TRUE(stands_in_recording(library, {45, 0, 1}, false));
   EXPECT_FALSE(stands_in_recording(library, {45, 0, 1}, true));
+  const int last = library.pair_count() - 1;
+  EXPECT_TRUE(stands_in_recording(library, {0, 0, 1}, true)) << "where a take begins";
+  EXPECT_TRUE(stands_in_recording(library, {last, 0, 1}, false)) << "where it ends";
+  EXPECT_FALSE(stands_in_recording(library, {last, 0, 1}, true));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "core/motion/body/body.hpp"
@@ -125,6 +126,26 @@ TEST_F(Reached, AHandOppositeTheFreeArmDoesNotSwingFromOneSideToTheOther) {
 TEST_F(Reached, AHandThatPassesTheShoulderDoesNotSwing) {
   const Vec3 across = arm().unitOrthogonal();
   EXPECT_LT(longest_step(-0.2 * across + 0.01 * arm(), 0.2 * across + 0.01 * arm()), 0.005);
+}
+
+TEST_F(Reached, TheElbowTurnsToItsSideWithinABoundedSpeed) {
+  const Vec3 wrist = arm();
+  hand_for(wrist);
+  const HandHolds::Arm free = arms_[1];
+  ASSERT_TRUE(free.reaches);
+  arms_[1].side = turned(free.side, 2.5 * free.along);
+  hand_for(wrist);
+  const double turned_rad = 2.5 - std::acos(std::clamp(arms_[1].side.dot(free.side), -1.0, 1.0));
+  const double share = 0.4 * 0.4 * 0.4 * (10 - 15 * 0.4 + 6 * 0.4 * 0.4);  // of a ramp of 0.4
+  EXPECT_NEAR(turned_rad, 8.0 / 60 / share, 1e-3) << "8 rad/s, faster while the hold is weak";
+}
+
+TEST_F(Reached, WhatIsListedAreTheHoldsOfThisFrame) {
+  std::vector<HandHold> holds(3);
+  HandHolds(pairs_, {}, {}).list(partner_, partner_, RootFrame{}, holds);
+  ASSERT_EQ(holds.size(), 1u);
+  EXPECT_TRUE(holds.front().active_left);
+  EXPECT_FALSE(holds.front().passive_left);
 }
 
 TEST_F(Reached, AHandInFrontTurnsAboutTheShoulderAndKeepsItsDistance) {

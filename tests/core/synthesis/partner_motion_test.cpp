@@ -123,6 +123,55 @@ TEST(PartnerMotion, AChangeOfSourceLeavesTheCentreOfMassOnItsWay) {
   EXPECT_LT(greatest(centres), 0.7 * greatest(roots)) << greatest(centres) << " " << greatest(roots);
 }
 
+/// A partner who stands on both feet throughout.
+MotionLibrary library_of_a_stand() {
+  PairedTake take = test::swinging_take("stands", 120, 1);
+  for (Pose& pose : take.b.poses) pose = test::moved(test::standing_pose(), 3.1, Vec3(0, 0, 0.7));
+  for (Pose& pose : take.a.poses) pose = test::standing_pose();
+  std::vector<PairedTake> takes;
+  takes.push_back(std::move(take));
+  return std::move(*build_library("stands", std::move(takes), {}, {}));
+}
+
+TEST(PartnerMotion, AStandingPartnerLeansAfterTheUserOnFeetThatStayWhereTheyAre) {
+  const MotionLibrary library = library_of_a_stand();
+  const Settings settings = test::responsive_by_pose();
+  PartnerMotion motion;
+  Pose first, last;
+  for (int frame = 0; frame < 60; ++frame) {
+    const Pose user = test::moved(test::standing_pose(), 0, Vec3(0.001 * frame, 0, 0));
+    const MotionStep step{.library = library,
+                          .settings = settings,
+                          .user = user,
+                          .user_root = root_frame(user),
+                          .elapsed_s = frame == 0 ? 0 : step_s,
+                          .chosen = frame,
+                          .shown = std::nullopt};
+    PartnerMover mover(motion, step);
+    last = mover.adapt(mover.move().bottomRows<joint_count>());
+    if (frame == 0) first = last;
+    for (const FootPlants::Foot& foot : motion.plants.feet()) EXPECT_FALSE(foot.steps) << frame;
+  }
+  EXPECT_GT((last.row(0) - first.row(0)).norm(), 0.02);
+  for (const int toe_base : {joints::left_toe_base, joints::right_toe_base})
+    EXPECT_LT((last.row(toe_base) - first.row(toe_base)).norm(), 0.002);
+}
+
+TEST(PartnerMotion, NothingOfATransitionIsLeftWhenAPartnerBeginsAnew) {
+  auto used = synthesizer_with(test::responsive_by_pose());
+  auto fresh = synthesizer_with(test::responsive_by_pose());
+  const auto& library = used->library();
+  used->pin_pair(library.find_pair("first", 40, false));
+  for (std::size_t step = 0; step < 30; ++step) {
+    if (step == 28) used->pin_pair(library.find_pair("second", 90, false));
+    used->step(user().poses[step], Duration(step == 0 ? 0 : step_s));
+  }
+  used->reset();
+  fresh->pin_pair(library.find_pair("second", 90, false));
+  EXPECT_EQ(used->step(user().poses[30], Duration(0)).result,
+            fresh->step(user().poses[30], Duration(0)).result);
+}
+
 TEST(PartnerMotion, GoesOnFromWhereItIsAfterTrackingWasLost) {
   auto synthesizer = synthesizer_with(test::responsive_by_pose());
   Shown shown;
