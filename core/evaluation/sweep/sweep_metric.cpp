@@ -83,7 +83,7 @@ bool is_of_row(std::string_view figure, std::string_view row) {
 }
 
 /// A figure that is best near the recording's has no best value of its own.
-FigureGoal goal_of(PublishedRow::Better better) {
+FigureGoal goal_of_published(PublishedRow::Better better) {
   switch (better) {
     case PublishedRow::Better::Lower:
       return FigureGoal::Lowest;
@@ -103,7 +103,7 @@ std::optional<FigureGoal> stated_goal(std::string_view metric) {
       if (is_of_row(metric.substr(movement.size()), row.key)) return row.goal;
   if (metric.starts_with(published))
     for (const PublishedRow& row : published_rows())
-      if (is_of_row(metric.substr(published.size()), row.key)) return goal_of(row.better);
+      if (is_of_row(metric.substr(published.size()), row.key)) return goal_of_published(row.better);
   for (const StatedGoal& stated : stated_goals)
     if (stated.name.ends_with('.') ? metric.starts_with(stated.name) : metric == stated.name)
       return stated.goal;
