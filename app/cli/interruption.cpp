@@ -1,5 +1,7 @@
 #include "app/cli/interruption.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <initializer_list>
@@ -16,6 +18,17 @@ void note_signal(int /*signal*/) {
   was_interrupted = true;
 }
 
+std::atomic<int> noted_itself = 0;
+
+void note_signal_of_child(int signal, siginfo_t* info, void* /*context*/) {
+  was_interrupted = true;
+  const bool is_passed_on = info->si_code == SI_USER && info->si_pid == ::getppid();
+  if (!is_passed_on && noted_itself.fetch_add(1) > 0) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
 }  // namespace
 
 void note_interruptions() {
@@ -26,6 +39,17 @@ void note_interruptions() {
     struct sigaction action {};
     action.sa_handler = note_signal;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+void note_interruptions_of_child() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction previous {};
+    if (::sigaction(signal, nullptr, &previous) != 0 || previous.sa_handler == SIG_IGN) continue;
+    struct sigaction action {};
+    action.sa_sigaction = note_signal_of_child;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
     ::sigaction(signal, &action, nullptr);
   }
 }

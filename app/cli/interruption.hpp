@@ -6,6 +6,11 @@ namespace abrazo::app {
 /// job can stop and remove its partial files. The second such signal ends the program immediately.
 void note_interruptions();
 
+/// The same in a program that another one started and waits for (ChildProcess). A signal to the whole process
+/// group, as from `timeout` or a closed terminal, arrives here twice: once itself, and once passed on by the
+/// parent. What the parent passes on therefore only sets the flag.
+void note_interruptions_of_child();
+
 /// Whether such a signal was received.
 bool interrupted();
 

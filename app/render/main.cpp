@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& refusal) {
     return line.app.exit(refusal) != 0 ? 2 : 0;
   }
-  app::note_interruptions();
+  app::note_interruptions_of_child();
   take_file_limit_for_full_disk();
   qInstallMessageHandler(app::pass_on_fatal_only);
   int words = 1;  // the toolkit's own options are none of this program's

@@ -151,5 +151,21 @@ TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
   EXPECT_TRUE(std::filesystem::is_empty(path("film")));
 }
 
+/// As `timeout` and service managers do it: the program that draws gets the signal twice, once passed on.
+TEST_F(RenderCommand, LeavesNothingWhenAllOfItsGroupIsStopped) {
+  make_trace();
+  std::filesystem::create_directory(path("film"));
+  RunningCommand running({"/usr/bin/setsid", "--wait", ABRAZO_PROGRAM, "render", "T.jsonl", "-o",
+                          "film/a.mp4", "--size", "1920x1080", "--rate", "240"},
+                         folder());
+  while (!running.finished() && std::filesystem::is_empty(path("film"))) std::this_thread::yield();
+  RunningCommand(
+      {"/bin/sh", "-c", "kill -TERM -$(pgrep -f -o '" ABRAZO_PROGRAM " render T.jsonl -o film/a.mp4')"},
+      folder())
+      .wait();
+  EXPECT_EQ(running.wait().status, 1);
+  EXPECT_TRUE(std::filesystem::is_empty(path("film")));
+}
+
 }  // namespace
 }  // namespace abrazo::test::render_command_test

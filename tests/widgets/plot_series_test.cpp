@@ -191,6 +191,19 @@ TEST(PlotSeries, SpeedAccelerationAndSlidingAreThoseOfThePartner) {
   EXPECT_TRUE(std::isnan(of(read(4, 0), Series::PartnerSpeed))) << "a failed step interrupts";
 }
 
+/// Poses that come late in one go are solved within a few milliseconds, far less than lies between them.
+TEST(PlotSeries, FramesOfABacklogMoveAsFastAsTheirPoses) {
+  SeriesReader reader;
+  FrameSnapshot frame = frame_at(0, 1.0);
+  frame.elapsed_s = 0;
+  reader.read(frame);
+  frame.index = 1;
+  frame.time_s = 1.0 + 1e-6;
+  frame.elapsed_s = 0.02;
+  frame.result.result.col(0).array() += 0.03;
+  EXPECT_NEAR(of(reader.read(frame), Series::PartnerSpeed), 1.5, 1e-9);
+}
+
 TEST(PlotSeries, ThePartnerOfAPassiveUserIsTheActiveBodyThatMoves) {
   SeriesReader reader;
   for (std::uint64_t index = 0; index < 2; ++index) {

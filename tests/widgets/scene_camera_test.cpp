@@ -4,6 +4,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
@@ -32,6 +33,21 @@ TEST(SceneView, TurnsWithTheMouseAndComesNearerWithTheWheel) {
   EXPECT_NE(scene.view.camera().azimuth_rad, camera.azimuth_rad);
   EXPECT_DOUBLE_EQ(scene.view.camera().elevation_rad, camera.elevation_rad);
   EXPECT_GT(difference(before, picture_of(scene.view)), 0.01);
+}
+
+/// A label that is drawn or changed gives the library other labels; the view jumped each time.
+TEST(SceneView, StaysWhereItWasTurnedToWhenTheLibraryGetsOtherLabels) {
+  Scene scene({ScenePart::Leader});
+  picture_of(scene.view);
+  QWidget* surface = scene.view.childAt(320, 240);
+  QTest::mousePress(surface, Qt::LeftButton, {}, {320, 240});
+  QMouseEvent move(QEvent::MouseMove, QPointF(400, 240), QPointF(400, 240), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(surface, &move);
+  QTest::mouseRelease(surface, Qt::LeftButton, {}, {400, 240});
+  const double turned_rad = scene.view.camera().azimuth_rad;
+  scene.view.extendLibrary(test::small_library());
+  scene.view.showFrame(test::synthetic_frame(4, 0.07));
+  EXPECT_DOUBLE_EQ(scene.view.camera().azimuth_rad, turned_rad);
 }
 
 TEST(SceneView, CutsAwayWhatIsNearerThanThePlane) {

@@ -52,6 +52,28 @@ FrameSnapshotPtr recorded_frame(const MotionLibrary& library, int pair, std::uin
   return frame;
 }
 
+/// A driver compiles its programs at the first picture, and a window that waits for that does not answer.
+TEST(SceneView, PreparesItsFirstPictureInSeveralTurnsAndShowsItWhole) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});
+  scene.view.show();
+  int turns = 0;
+  while (scene.view.renderedFrames() == 0 && turns < 1000) {
+    QApplication::processEvents();
+    ++turns;
+  }
+  EXPECT_GT(turns, 3);
+  const QImage whole = picture_of(scene.view);
+  EXPECT_GT(pixels_of_hue(whole, dark().active), 6000);
+  EXPECT_GT(pixels_of_hue(whole, dark().passive), 6000);
+}
+
+TEST(SceneView, WhoeverGrabsItDoesNotWaitForTheNextTurn) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower});
+  scene.view.show();
+  const QImage picture = scene.view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+  EXPECT_GT(pixels_of_hue(picture, dark().active), 6000);
+}
+
 TEST(SceneView, ShowsBothCharactersInTheirColours) {
   Scene scene({ScenePart::Leader, ScenePart::Follower});
   const QImage picture = picture_of(scene.view);

@@ -73,10 +73,42 @@ TEST(TimelineLanes, ScrollOnlyWhereTheyDoNotFit) {
   lanes.scroll_to(50);
   EXPECT_EQ(lanes.scroll_px(), 0);
   lanes.set_height(lanes.whole_px() - 30);
-  lanes.scroll_to(50);
-  EXPECT_EQ(lanes.scroll_px(), 30);
+  lanes.scroll_to(500);
+  EXPECT_EQ(lanes.scroll_px(), 54) << "two lanes are above, so that the last one is whole";
   lanes.set_height(lanes.whole_px());
   EXPECT_EQ(lanes.scroll_px(), 0) << "and come back where there is room again";
+}
+
+TEST(TimelineLanes, NoLaneIsCutAtTheTopWhereverTheyAreScrolledTo) {
+  TimelineLanes lanes;
+  lanes.set_tiers({{1, "role"}, {2, "move"}});
+  lanes.set_height(lanes.whole_px() - 100);
+  for (double px = 0; px <= lanes.most_scroll_px(); px += 5) {
+    lanes.scroll_to(px);
+    bool begins_at_the_top = lanes.top_of_tier(1) == lanes.top_px() || lanes.top_of_tier(2) == lanes.top_px();
+    for (int lane = 0; lane < timeline_lane_count; ++lane) {
+      const auto each = static_cast<TimelineLane>(lane);
+      begins_at_the_top |= lanes.is_shown(each) && lanes.top_of(each) == lanes.top_px();
+    }
+    EXPECT_TRUE(begins_at_the_top) << px;
+  }
+  EXPECT_LE(lanes.top_of_tier(2) + TimelineLanes::tier_px, lanes.bottom_px()) << "the last one is whole";
+}
+
+TEST(TimelineLanes, SmallStepsOfAWheelAddUpToALane) {
+  TimelineLanes lanes;
+  lanes.set_height(lanes.whole_px() - 60);
+  for (int step = 0; step < 5; ++step) lanes.scroll_to(lanes.asked_scroll_px() + 4);
+  EXPECT_EQ(lanes.scroll_px(), 27);
+}
+
+TEST(TimelineLanes, ATierThatIsRevealedIsWholeAndTheTopLaneToo) {
+  TimelineLanes lanes;
+  lanes.set_tiers({{1, "role"}, {2, "move"}, {3, "note"}});
+  lanes.set_height(lanes.whole_px() - 71);
+  lanes.reveal(2);
+  EXPECT_LE(lanes.top_of_tier(2) + TimelineLanes::tier_px, lanes.bottom_px());
+  EXPECT_EQ(lanes.scroll_px(), 54);
 }
 
 TEST(TimelineLanes, AreRememberedByName) {

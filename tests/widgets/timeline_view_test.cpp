@@ -340,6 +340,15 @@ TEST(TransportBar, TellsTheStateInWords) {
   EXPECT_TRUE(bar.stateText().startsWith("PLAYING"));
 }
 
+TEST(TransportBar, ATakeIsNeverLive) {
+  TransportBar bar;
+  bar.showOfTake(true);
+  bar.showPlayback({}, -1);
+  EXPECT_EQ(bar.stateText(), "") << "no take is shown yet";
+  bar.showPlayback({}, 12);
+  EXPECT_EQ(bar.stateText(), "AT THE END");
+}
+
 TEST(TransportBar, WritesTimeAsAskedFor) {
   TransportBar bar;
   bar.setRate(60);

@@ -423,6 +423,25 @@ TEST_F(Annotating, ThePanelListsTheLabelsAndTakesTypedTimes) {
   EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
 }
 
+TEST_F(Annotating, ALabelIsCompletedWhileItIsTypedInThePanel) {
+  const int id = add(3, 5, "one");
+  QTableWidget& table = desk().panel().table();
+  const auto type = [&table](const QString& text) {
+    table.setCurrentCell(0, 2);
+    table.editItem(table.item(0, 2));
+    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(field);
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    turn();
+  };
+  type("tw");
+  EXPECT_EQ(label(id).value, "two") << "of the vocabulary";
+  type("three");
+  EXPECT_EQ(label(id).value, "three");
+}
+
 TEST_F(Annotating, AGapIsFilledByOneKeyInTheListOfProblems) {
   add(0, 3, "one");
   add(5, desk().range().last_s, "two");

@@ -104,6 +104,53 @@ TEST_F(Layout, OtherColoursLayNothingOutAnewAndComeBack) {
   }
 }
 
+/// Four panels in one place, as wide as a column may be: "Cand…" names none of them.
+TEST_F(Layout, TabsOfPanelsHaveTheirWholeNamesInANarrowColumn) {
+  for (const char* id : {"settings", "plots", "library"})
+    area().tabifyDockWidget(&panel("candidates"), &panel(id));
+  QTest::qWait(50);
+  int tabs = 0;
+  for (const QTabBar* bar : area().findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    EXPECT_EQ(bar->elideMode(), Qt::ElideNone);
+    tabs += bar->count();
+  }
+  EXPECT_GE(tabs, 4);
+  window().resetLayout();
+}
+
+/// A small window hides them all; the first of a place was in front afterwards.
+TEST_F(Layout, ThePanelThatWasInFrontIsThereAgainWhenThereIsRoomAgain) {
+  window().resize(1600, 1000);
+  QTest::qWait(50);
+  area().tabifyDockWidget(&panel("candidates"), &panel("settings"));
+  panel("settings").raise();
+  ASSERT_TRUE(until([] { return !panel("settings").visibleRegion().isEmpty(); }));
+  window().resize(640, 400);
+  ASSERT_TRUE(until([] { return panel("settings").isHidden(); }));
+  window().resize(1600, 1000);
+  EXPECT_TRUE(until([] { return !panel("settings").visibleRegion().isEmpty(); }));
+  EXPECT_TRUE(panel("candidates").visibleRegion().isEmpty());
+  window().resetLayout();
+}
+
+/// What is hidden is not polished for the new colours until it is shown.
+TEST_F(Layout, WhatWasHiddenDuringAChangeOfColoursHasThemWhenItIsShown) {
+  widgets::SettingsPanel& settings = window().settings();
+  const auto picture = [&settings] {
+    QTest::qWait(50);
+    return settings.grab().toImage();
+  };
+  window().setTheme(widgets::Theme::Light);
+  const QImage light = picture();
+  window().setTheme(widgets::Theme::Dark);
+  QTest::qWait(50);
+  panel("settings").hide();
+  window().setTheme(widgets::Theme::Light);
+  panel("settings").show();
+  EXPECT_EQ(picture(), light);
+  window().setTheme(widgets::Theme::Dark);
+}
+
 /// A white line was below the tabs of candidates and comparison.
 TEST_F(Layout, TabsOfPanelsHaveNoLineBelow) {
   area().tabifyDockWidget(&panel("scene"), &panel("library"));

@@ -94,6 +94,16 @@ TEST_F(Shell, EveryChipOfTheSceneIsReachedAlsoBesideTheWelcomePage) {
   window().resize(1600, 1000);
 }
 
+TEST_F(Shell, TheWelcomePageLeavesASmallWindowToTheSceneAndComesBackWithTheRoom) {
+  action("Welcome")->setChecked(true);
+  window().resize(640, 400);
+  EXPECT_TRUE(until([] { return welcome()->isHidden(); }));
+  EXPECT_TRUE(action("Welcome")->isChecked());
+  window().resize(1600, 1000);
+  EXPECT_TRUE(until([] { return welcome()->isVisible(); }));
+  action("Welcome")->setChecked(false);
+}
+
 TEST_F(Shell, F6GoesRoundEveryPanelThatIsSeenAndShiftF6GoesBack) {
   window().resetLayout();
   QTest::qWait(50);

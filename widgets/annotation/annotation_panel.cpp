@@ -2,13 +2,18 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QCompleter>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QToolButton>
+#include <functional>
+#include <utility>
 
 #include "widgets/annotation/annotation_rows.hpp"
 #include "widgets/annotation/problem_list.hpp"
@@ -24,6 +29,27 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int id_role = Qt::UserRole;
+
+/// Completes a label while it is typed. The completion is marked, so that Delete leaves the shorter text.
+class LabelDelegate : public QStyledItemDelegate {
+ public:
+  LabelDelegate(std::function<QStringList()> values, QObject* parent)
+      : QStyledItemDelegate(parent), m_values(std::move(values)) {}
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const override {
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) {
+      auto* completer = new QCompleter(m_values(), line);
+      completer->setCompletionMode(QCompleter::InlineCompletion);
+      completer->setCaseSensitivity(Qt::CaseInsensitive);
+      line->setCompleter(completer);
+    }
+    return editor;
+  }
+
+ private:
+  std::function<QStringList()> m_values;
+};
 
 }  // namespace
 
@@ -105,6 +131,7 @@ QWidget* AnnotationPanel::makeLists() {
   m_table->horizontalHeader()->setHighlightSections(false);
   for (const auto& [where, px] : {std::pair{Start, 98}, {End, 98}, {Value, 112}, {Detail, 70}})
     m_table->setColumnWidth(where, px);
+  m_table->setItemDelegateForColumn(Value, new LabelDelegate([this] { return values(); }, m_table));
   m_table->setMinimumHeight(140);
   m_table->setFrameShape(QFrame::NoFrame);
   m_problems = new ProblemList(box);
@@ -236,6 +263,17 @@ void AnnotationPanel::chooseRow() {
   const double start_s = chosen->start_s;
   emit annotationChosen(id);
   emit seekRequested(start_s);
+}
+
+/// In words: those of the vocabulary, then those that only labels have.
+QStringList AnnotationPanel::values() const {
+  QStringList words;
+  const AnnotationTier* tier = m_shown.annotations.tier(m_shown.tier);
+  if (!tier) return words;
+  for (const VocabularyEntry& entry : tier->vocabulary) words << value_words(*tier, entry.value);
+  for (const Annotation& annotation : tier->annotations) words << value_words(*tier, annotation.value);
+  words.removeDuplicates();
+  return words;
 }
 
 /// The vocabulary's value that is shown in these words; else what was typed.

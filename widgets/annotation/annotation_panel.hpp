@@ -76,6 +76,7 @@ class AnnotationPanel : public QWidget {
   void connectParts();
   void fillTable();
   void fillRow(int row, const AnnotationTier& tier, const Annotation& annotation);
+  QStringList values() const;
   std::string valueOf(const std::string& typed) const;
   void edited(QTableWidgetItem* item);
   void chooseRow();

@@ -54,7 +54,7 @@ ValuePicker::ValuePicker(QWidget& window, const Question& question, const Palett
   m_list->setFocusPolicy(Qt::NoFocus);
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_hint = quiet_label("Press a key to choose, Return for the marked value, Esc to cancel", this, 11);
+  m_hint = quiet_label("A key or Return chooses, Esc cancels", this, 11);
   auto* column = static_cast<QVBoxLayout*>(layout());
   column->setContentsMargins(10, 8, 10, 8);
   column->insertWidget(column->indexOf(&field()) + 1, m_list);

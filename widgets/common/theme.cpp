@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QFontDatabase>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QWidget>
 #include <optional>
@@ -37,6 +38,9 @@ QTabBar { background: %2; }
 QTabBar::tab { background: %2; color: %6; padding: 5px 11px; border: none; border-bottom: 2px solid transparent; }
 QTabBar::tab:hover { color: %5; }
 QTabBar::tab:selected { color: %5; border-bottom: 2px solid %7; }
+QTabBar::scroller { width: 36px; }
+QTabBar QToolButton { background: %2; border: none; }
+QTabBar QToolButton:hover { background: %3; }
 QSplitter::handle { background: %4; }
 QToolTip { background: %1; color: %5; border: 1px solid %4; padding: 5px 7px; }
 QFrame#panel, QWidget#panel { background: %2; }
@@ -132,6 +136,30 @@ class OnlyColoursChange : public QObject {
   QApplication& m_application;
 };
 
+/// Qt polishes all widgets for a new sheet, of which most are hidden: those of closed panels, dialogs and
+/// menus. They are polished when they are shown.
+class PolishesWhenShown : public QObject {
+ public:
+  using QObject::QObject;
+
+  /// Before the sheet changes.
+  static void putOffHidden() {
+    for (QWidget* widget : QApplication::allWidgets()) {
+      if (widget->isVisible() || !widget->testAttribute(Qt::WA_WState_Polished)) continue;
+      widget->style()->unpolish(widget);
+      widget->setAttribute(Qt::WA_WState_Polished, false);
+    }
+  }
+  bool eventFilter(QObject* receiver, QEvent* event) override {
+    if (event->type() != QEvent::Show || !receiver->isWidgetType()) return false;
+    auto* widget = static_cast<QWidget*>(receiver);
+    if (widget->testAttribute(Qt::WA_WState_Polished)) return false;
+    widget->style()->polish(widget);
+    widget->setAttribute(Qt::WA_WState_Polished);
+    return false;
+  }
+};
+
 }  // namespace
 
 QFont interface_font(int pixel_size, int weight) {
@@ -157,8 +185,10 @@ void apply_theme(QApplication& application, const Palette& p) {
   if (application.styleSheet().isEmpty()) {
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setFont(interface_font());
+    application.installEventFilter(new PolishesWhenShown(&application));
   } else {
     colours_only.emplace(application);
+    PolishesWhenShown::putOffHidden();
     // Qt 5 polishes a widget once for each of its parents where a sheet replaces another, and once where it
     // is the first.
     application.setStyleSheet({});

@@ -207,6 +207,7 @@ SeriesValues SeriesReader::read(const FrameSnapshot& frame) {
     previous_.reset();
     moving_.reset();
   }
+  if (previous_) solver_s_ += frame.elapsed_s > 0 ? frame.elapsed_s : frame.time_s - previous_->time_s;
   const bool failed = frame.result.status == StepStatus::Failed;
   if (!failed) {
     read_energies(frame, values);
@@ -222,10 +223,11 @@ SeriesValues SeriesReader::read(const FrameSnapshot& frame) {
 }
 
 void SeriesReader::remember(const FrameSnapshot& frame, bool failed) {
-  if (!previous_) previous_ = Previous{0, none, std::nullopt};
+  if (!previous_) previous_ = Previous{0, 0, none, std::nullopt};
   previous_->index = frame.index;
+  previous_->time_s = frame.time_s;
   if (failed) return previous_->partner.reset();
-  previous_->solved_s = frame.time_s;
+  previous_->solved_s = solver_s_;
   previous_->partner = frame.result.passive();
 }
 
@@ -238,7 +240,7 @@ void SeriesReader::read_energies(const FrameSnapshot& frame, SeriesValues& value
     at(values, Series::VelocityEnergy) = 0;
   else if (previous_ && std::isfinite(previous_->solved_s))
     at(values, Series::VelocityEnergy) =
-        velocity_weight_at(frame.settings, frame.time_s - previous_->solved_s) * energy.velocity;
+        velocity_weight_at(frame.settings, solver_s_ - previous_->solved_s) * energy.velocity;
 }
 
 void SeriesReader::read_metrics(const FrameSnapshot& frame, SeriesValues& values) {
@@ -260,7 +262,7 @@ void SeriesReader::read_movement(const FrameSnapshot& frame, SeriesValues& value
     moving_.emplace(Moving{frame.library, role, MovementSteps(rest_of_partner(frame))});
   const Pose partner =
       frame.result.result.middleRows<joint_count>(partner_is_active(frame) ? 0 : joint_count);
-  if (const auto step = moving_->steps.next(partner, frame.time_s)) {
+  if (const auto step = moving_->steps.next(partner, solver_s_)) {
     at(values, Series::PartnerSpeed) = step->speed_m_s;
     at(values, Series::PartnerAcceleration) = step->acceleration_m_s2.value_or(none);
     at(values, Series::FootSlide) =

@@ -98,7 +98,8 @@ class SeriesReader {
 
   struct Previous {
     std::uint64_t index = 0;
-    double solved_s = 0;          ///< time of the last successful step; NaN = none
+    double time_s = 0;            ///< on the session's clock
+    double solved_s = 0;          ///< on the solver's clock, of the last successful step; NaN = none
     std::optional<Pose> partner;  ///< none after a failed step
   };
   /// State of the partner, while role and library stay.
@@ -107,6 +108,9 @@ class SeriesReader {
     UserRole user_role = UserRole::Active;
     MovementSteps steps;
   };
+  /// The sum of the times that the solver was given. On the session's clock the frames of a backlog are much
+  /// closer together than the poses in them.
+  double solver_s_ = 0;
   std::optional<Previous> previous_;
   std::optional<Moving> moving_;  ///< none after a failed step
   std::deque<bool> changes_;      ///< of the source, latest last

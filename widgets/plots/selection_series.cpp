@@ -92,9 +92,11 @@ void SelectionReader::read_joint(const FrameSnapshot& frame, SeriesValues& value
   if (second == (frame.settings.user_role == UserRole::Passive))
     at(values, Series::JointFromUser) =
         mm_per_m * (frame.user.row(vertex % joint_count) - result.result.row(vertex)).norm();
-  if (previous_ && frame.index == previous_->index + 1 && frame.time_s > previous_->time_s)
-    at(values, Series::JointSpeed) =
-        (position - previous_->position).norm() / (frame.time_s - previous_->time_s);
+  // On the session's clock the frames of a backlog are much closer together than the poses in them.
+  const double elapsed_s =
+      frame.elapsed_s > 0 || !previous_ ? frame.elapsed_s : frame.time_s - previous_->time_s;
+  if (previous_ && frame.index == previous_->index + 1 && elapsed_s > 0)
+    at(values, Series::JointSpeed) = (position - previous_->position).norm() / elapsed_s;
   previous_ = Previous{frame.index, frame.time_s, position};
 }
 

@@ -185,7 +185,7 @@ void TimelineView::wheelEvent(QWheelEvent* event) {
   const QPoint notches = event->angleDelta();
   const double x = event->position().x();
   if (x < axis().left_px - 8) {
-    m_content.lanes.scroll_to(m_content.lanes.scroll_px() - notches.y() / 3.0);
+    m_content.lanes.scroll_to(m_content.lanes.asked_scroll_px() - notches.y() / 3.0);
     arrangeScroll();
   } else if (event->modifiers() & Qt::ShiftModifier || notches.x() != 0) {
     const int along = notches.x() != 0 ? notches.x() : notches.y();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -59,25 +60,25 @@ class TimelineLanes {
   }
   void set_shown(TimelineLane lane, bool on) {
     shown_[static_cast<std::size_t>(lane)] = on;
-    scroll_to(scroll_px_);
+    scroll_to(asked_scroll_px_);
   }
   /// While a take of the library is shown, lanes without content for it are hidden.
   void set_of_take(bool on) {
     of_take_ = on;
-    scroll_to(scroll_px_);
+    scroll_to(asked_scroll_px_);
   }
   bool is_of_take() const { return of_take_; }
 
   const std::vector<TierLane>& tiers() const { return tiers_; }
   void set_tiers(std::vector<TierLane> tiers) {
     tiers_ = std::move(tiers);
-    scroll_to(scroll_px_);
+    scroll_to(asked_scroll_px_);
   }
   /// Hiding is by name: it also applies in other subjects and after the tier returns.
   bool is_shown(const TierLane& lane) const { return !hidden_.contains(lane.name); }
   void set_tier_shown(const std::string& name, bool on) {
     on ? void(hidden_.erase(name)) : void(hidden_.insert(name));
-    scroll_to(scroll_px_);
+    scroll_to(asked_scroll_px_);
   }
 
   /// Height of all shown lanes.
@@ -87,18 +88,28 @@ class TimelineLanes {
 
   void set_height(double height_px) {
     height_px_ = height_px;
-    scroll_to(scroll_px_);
+    scroll_to(asked_scroll_px_);
   }
   double top_px() const { return ruler_px + gap_px; }
   double bottom_px() const { return std::max(top_px(), height_px_ - overview_px); }
-  double most_scroll_px() const { return std::max(0.0, content_px() - (bottom_px() - top_px())); }
+  /// So far that the last lane is whole and a lane begins at the top.
+  double most_scroll_px() const {
+    const double hidden_px = content_px() - (bottom_px() - top_px());
+    return hidden_px > 0 ? edge_from(hidden_px) : 0.0;
+  }
+  /// Where the lanes are: one begins at the top, so that none is cut there.
   double scroll_px() const { return scroll_px_; }
-  void scroll_to(double px) { scroll_px_ = std::clamp(px, 0.0, most_scroll_px()); }
+  /// The exact place that was asked for, from which a wheel of small steps goes on.
+  double asked_scroll_px() const { return asked_scroll_px_; }
+  void scroll_to(double px) {
+    asked_scroll_px_ = std::clamp(px, 0.0, most_scroll_px());
+    scroll_px_ = edge_near(asked_scroll_px_);
+  }
   /// Scrolls until a tier's lane is fully visible.
   void reveal(int tier) {
     const double top = top_of_tier(tier);
     if (top < top_px()) scroll_to(scroll_px_ - (top_px() - top));
-    if (top + tier_px > bottom_px()) scroll_to(scroll_px_ + top + tier_px - bottom_px());
+    if (top + tier_px > bottom_px()) scroll_to(edge_from(scroll_px_ + top + tier_px - bottom_px()));
   }
 
   /// Top of a lane; may be outside [top_px, bottom_px].
@@ -156,7 +167,7 @@ class TimelineLanes {
       hidden_.insert(from_list(names.substr(bar + 1, length)));
       bar = next;
     }
-    scroll_to(scroll_px_);
+    scroll_to(asked_scroll_px_);
   }
 
  private:
@@ -174,6 +185,38 @@ class TimelineLanes {
       if (is_spelled) listed.remove_prefix(2);
     }
     return name;
+  }
+
+  /// Calls `visit(top)` with the top of each shown lane, from the first one's, 0.
+  template <typename Visit>
+  void each_edge(Visit visit) const {
+    double top = 0;
+    for (std::size_t lane = 0; lane < shown_.size(); ++lane) {
+      if (!is_shown(static_cast<TimelineLane>(lane))) continue;
+      visit(top);
+      top += timeline_lane_infos[lane].height_px;
+    }
+    for (const TierLane& lane : tiers_) {
+      if (!is_shown(lane)) continue;
+      visit(top);
+      top += tier_px;
+    }
+  }
+  /// The first top of a lane that is not above `px`; the last one if there is none.
+  double edge_from(double px) const {
+    constexpr double rounding_px = 1e-6;
+    double found = 0;
+    each_edge([&](double top) {
+      if (found < px - rounding_px) found = top;
+    });
+    return found;
+  }
+  double edge_near(double px) const {
+    double found = 0;
+    each_edge([&](double top) {
+      if (std::abs(top - px) <= std::abs(found - px)) found = top;
+    });
+    return found;
   }
 
   double computed_px() const {
@@ -195,7 +238,7 @@ class TimelineLanes {
   std::vector<TierLane> tiers_;
   std::set<std::string> hidden_;
   double height_px_ = 200;
-  double scroll_px_ = 0;
+  double scroll_px_ = 0, asked_scroll_px_ = 0;
 };
 
 }  // namespace abrazo::widgets

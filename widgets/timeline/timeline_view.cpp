@@ -175,7 +175,9 @@ void TimelineView::take(const FrameSnapshot& frame) {
   const std::size_t changes = m_content.settings.changes().size();
   m_content.settings.append(frame);
   if (m_content.settings.changes().size() != changes) m_settingsMarksScale = 0;
-  TrackRow row = row_of(frame, m_content.library, frame.time_s - m_previousTime);
+  const bool has_elapsed = !left_out && frame.elapsed_s > 0;
+  TrackRow row =
+      row_of(frame, m_content.library, has_elapsed ? frame.elapsed_s : frame.time_s - m_previousTime);
   if (left_out) row.left_out_s = frame.time_s - m_previousTime;
   m_content.tracks.append(row);
   m_previousTime = frame.time_s;
@@ -268,7 +270,7 @@ void TimelineView::arrangeScroll() {
   m_scroll->setRange(0, most);
   m_scroll->setPageStep(page);
   m_scroll->setSingleStep(20);
-  m_scroll->setValue(static_cast<int>(m_content.lanes.scroll_px()));
+  m_scroll->setValue(static_cast<int>(m_content.lanes.asked_scroll_px()));
   m_scroll->setGeometry(width() - 9, static_cast<int>(m_content.lanes.top_px()), 8, std::max(page, 0));
   m_scroll->setVisible(most > 0);
 }

@@ -375,6 +375,11 @@ void TransportBar::showState() {
       m_state->setColour(m_palette.text);
       break;
     case Playback::State::Following:
+      if (m_isOfTake) {  // its end is not live
+        m_state->setText(m_shownFrame < 0 ? "" : "AT THE END");
+        m_state->setColour(m_palette.secondary);
+        break;
+      }
       m_state->setText(m_isHeld ? "‖ HELD" : "● LIVE");
       m_state->setColour(m_isHeld         ? m_palette.warning
                          : m_palette.dark ? m_palette.live.lighter(135)

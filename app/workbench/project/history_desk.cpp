@@ -44,7 +44,7 @@ QFileInfoList parts_in(const QString& folder) {
 
 HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double gigabytes) {
   QMessageBox box(QMessageBox::Question, "Abrazo",
-                  QString("Keep the last %1 of the history (%2 GB on disk)?")
+                  QString("Keep the history of this session: %1, %2 GB on disk?")
                       .arg(clock_words(seconds))
                       .arg(gigabytes, 0, 'f', 2),
                   QMessageBox::Cancel, &window);
@@ -60,6 +60,30 @@ HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double
 }
 
 }  // namespace
+
+/// What a worker made for a session. Of a session that ended meanwhile it goes.
+struct HistoryDesk::Files {
+  QString folder;
+  std::unique_ptr<QLockFile> lock;
+  std::shared_ptr<HistoryKeeper> keeper;
+
+  ~Files() {
+    if (keeper) keeper->remove();
+  }
+
+  /// @return why there are none; then nothing is left
+  Status open(const QString& parent, const RecordingFacts& facts, const HistoryBound& limit) {
+    QDir().mkpath(parent);
+    folder = parent + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
+    lock = std::make_unique<QLockFile>(lock_beside(folder));
+    lock->setStaleLockTime(0);
+    if (!lock->tryLock(0)) return Error{"nothing can be written", parent.toStdString()};
+    auto opened = HistoryKeeper::open(folder.toStdString(), facts, limit);
+    if (!opened) return opened.error();
+    keeper = std::move(*opened);
+    return Done{};
+  }
+};
 
 HistoryDesk::HistoryDesk(MainWindow& window) : QObject(&window), m_window(window) {
   setObjectName("history desk");
@@ -88,28 +112,39 @@ void HistoryDesk::begin() {
   m_savedTo_s = recorded ? recorded->last_s() : 0;
   m_window.timeline().showLost({});
   if (bound() <= 0) return;
-  const QString parent = m_window.remembered().historyFolder();
-  QDir().mkpath(parent);
-  const QString folder = parent + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
-  auto lock = std::make_unique<QLockFile>(lock_beside(folder));
-  lock->setStaleLockTime(0);
   const HistoryBound limit{.bytes = static_cast<std::uint64_t>(bound() * gigabyte)};
-  auto keeper =
-      lock->tryLock(0)
-          ? HistoryKeeper::open(folder.toStdString(), m_window.session()->facts(), limit)
-          : Result<std::shared_ptr<HistoryKeeper>>(Error{"nothing can be written", parent.toStdString()});
-  if (!keeper)
-    return m_window.messages().showError("The history is kept in memory only: " + words(keeper.error()));
-  m_folder = folder;
-  m_lock = std::move(lock);
-  m_keeper = *keeper;
+  // On another thread: the first page of a file is on the disk before it counts as made. Until then frames
+  // are in memory, and the files get them all.
+  m_opening =
+      std::make_unique<Job>([this, parent = m_window.remembered().historyFolder(),
+                             facts = m_window.session()->facts(), limit](const Progress&) -> Job::Finish {
+        auto files = std::make_shared<Files>();
+        const Status opened = files->open(parent, facts, limit);
+        return [this, files, opened] {
+          opened
+              ? take(*files)
+              : m_window.messages().showError("The history is kept in memory only: " + words(opened.error()));
+        };
+      });
+  connect(m_opening.get(), &Job::finished, this, [this] { Job::retire(std::move(m_opening), this); });
+}
+
+void HistoryDesk::take(Files& files) {
+  m_folder = files.folder;
+  m_lock = std::move(files.lock);
+  m_keeper = std::move(files.keeper);
   m_window.session()->engine().keep_history(m_keeper);
 }
 
 void HistoryDesk::leaveSession(bool& allowed) {
   if (!m_window.session() || !m_keeper) return;
   const auto span = m_window.session()->engine().history().span();
-  const double seconds = span.last_s - std::max(span.first_s, m_savedTo_s);
+  const FrameSnapshotPtr newest = m_window.session()->latest().newest();
+  const double rate_hz = newest ? newest->input_rate_hz : 0;
+  const auto frames = static_cast<double>(span.frames + span.stored);
+  // The time while an input was held has no frames.
+  const double seconds = std::min(span.last_s - std::max(span.first_s, m_savedTo_s),
+                                  rate_hz > 0 ? frames / rate_hz : span.last_s);
   if (seconds < long_s) return;
   const Answer answer = ask(seconds);
   m_isLeft = answer == Answer::Keep;
@@ -117,6 +152,7 @@ void HistoryDesk::leaveSession(bool& allowed) {
 }
 
 void HistoryDesk::end() {
+  Job::retire(std::move(m_opening), this);
   if (m_keeper && !std::exchange(m_isLeft, false)) {
     // On another thread: gigabytes are not gone in a moment. The lock stays as long as there are files.
     Job::retire(std::make_unique<Job>([keeper = m_keeper, lock = std::shared_ptr<QLockFile>(std::move(

@@ -11,6 +11,7 @@
 
 namespace abrazo::app {
 
+class Job;
 class MainWindow;
 
 /// Keeps the frames of the running session in files of a separate folder, reports what the bound removes, and
@@ -25,7 +26,7 @@ class HistoryDesk : public QObject {
   explicit HistoryDesk(MainWindow& window);
   ~HistoryDesk() override;
 
-  /// Folder of the session's files; empty = history is in memory only.
+  /// Folder of the session's files; empty = history is in memory only, or its files are still being made.
   const QString& folder() const { return m_folder; }
   /// The files stay for the next start.
   void leave() { m_isLeft = true; }
@@ -50,7 +51,9 @@ class HistoryDesk : public QObject {
   static void discard(const QString& file);
 
  private:
+  struct Files;
   void begin();
+  void take(Files& files);
   void end();
   QString lostMarkers(double first_s);
   double bound() const;
@@ -60,6 +63,7 @@ class HistoryDesk : public QObject {
   QString m_folder, m_toldFailure;
   std::unique_ptr<QLockFile> m_lock;
   std::shared_ptr<HistoryKeeper> m_keeper;
+  std::unique_ptr<Job> m_opening;
   std::set<int> m_toldMarkers;
   double m_savedTo_s = 0;
   bool m_isToldBound = false, m_isLeft = false;

@@ -33,7 +33,7 @@ void show_part(MainWindow& window, ProjectPart part) {
 /// Pairs and takes that were there may have other numbers, roles and labels.
 void show_library(MainWindow& window, const std::shared_ptr<const MotionLibrary>& library) {
   window.ticker().setLibrary(library);
-  window.scene().setLibrary(library);
+  window.scene().extendLibrary(library);
   window.candidates().setLibrary(library);
   window.timeline().extendLibrary(library);
   const int take = window.takes().selectedTake();

@@ -22,6 +22,9 @@ FrameTicker::FrameTicker(QObject* parent) : QObject(parent) {
   m_timer.setInterval(display_interval_ms);
   m_soon.setSingleShot(true);
   m_soon.setInterval(0);
+  m_panelsTurn.setSingleShot(true);
+  m_panelsTurn.setInterval(0);
+  connect(&m_panelsTurn, &QTimer::timeout, this, &FrameTicker::panelsDue);
   for (QTimer* timer : {&m_timer, &m_soon}) connect(timer, &QTimer::timeout, this, &FrameTicker::tick);
 }
 
@@ -33,6 +36,7 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_panelsNow = true;
   m_panelsSoon = m_scrubbing = false;
   m_soon.stop();
+  m_panelsTurn.stop();
   if (!history) return m_timer.stop();
   m_clock.start();
   m_panels.start();
@@ -78,7 +82,8 @@ void FrameTicker::tick() {
   const bool still = m_playback.state == Playback::State::Parked && !m_scrubbing && !m_panelsSoon;
   if (m_panelsNow || m_panels.elapsed() >= (still ? parked_panel_interval_ms : panel_interval_ms)) {
     m_panelsNow = m_panelsSoon = false;
-    emit panelsDue();
+    // The scene is drawn first, in a turn of its own: together they would hold up whoever clicks.
+    is_new ? m_panelsTurn.start() : emit panelsDue();
     m_panels.restart();
   }
 }

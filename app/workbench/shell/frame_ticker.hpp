@@ -73,7 +73,8 @@ class FrameTicker : public QObject {
   void measure(double played_s, double elapsed_s);
 
   QTimer m_timer;
-  QTimer m_soon;  ///< one tick after the pending events
+  QTimer m_soon;        ///< one tick after the pending events
+  QTimer m_panelsTurn;  ///< the panels after the scene was drawn
   QElapsedTimer m_clock;
   QElapsedTimer m_panels;
   QElapsedTimer m_sinceShown;

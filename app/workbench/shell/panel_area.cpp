@@ -162,21 +162,41 @@ void PanelArea::prepareTabBars() {
   for (QTabBar* tabs : tabBars()) {
     tabs->setAccessibleName("Panels that share a place");
     tabs->setDrawBase(false);
+    tabs->setElideMode(Qt::ElideNone);  // "Cand…" and "Comp…" name nothing; arrows lead to the others
+  }
+}
+
+/// Which panels a person sees, so that they are in front again when there is room again.
+void PanelArea::noteFront() {
+  if (!isVisible()) return;
+  for (const Panel& panel : m_panels) {
+    if (panel.dock->isHidden()) continue;
+    if (panel.dock->visibleRegion().isEmpty())
+      m_front.erase(panel.dock->objectName());
+    else
+      m_front.insert(panel.dock->objectName());
   }
 }
 
 void PanelArea::showWhatFits() {
+  noteFront();
   PanelPlan shown = m_room;
   shown.left = shown.right = shown.plots = false;
+  QList<QDockWidget*> returned;
   for (const Panel& panel : m_panels) {
     const bool visible = panel.wanted && hasRoom(panel);
-    if (panel.dock->isHidden() == visible) panel.dock->setVisible(visible);
+    if (panel.dock->isHidden() == visible) {
+      panel.dock->setVisible(visible);
+      if (visible) returned << panel.dock;
+    }
     const Qt::DockWidgetArea side = dockWidgetArea(panel.dock);
     if (!visible || panel.dock->isFloating()) continue;
     shown.left |= side == Qt::LeftDockWidgetArea;
     shown.right |= side == Qt::RightDockWidgetArea;
     shown.plots |= side == Qt::BottomDockWidgetArea;
   }
+  for (QDockWidget* dock : returned)
+    if (m_front.contains(dock->objectName())) dock->raise();
   prepareTabBars();
   emit arranged(shown);
 }

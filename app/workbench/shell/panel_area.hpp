@@ -3,6 +3,7 @@
 #include <QList>
 #include <QMainWindow>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "app/workbench/shell/window_layout.hpp"
@@ -77,6 +78,7 @@ class PanelArea : public QMainWindow {
   bool hasRoom(const Panel& panel) const;
   QList<QTabBar*> tabBars() const;
   void prepareTabBars();
+  void noteFront();
   void showWhatFits();
   int planned(Qt::DockWidgetArea side) const;
   void rememberSizes();
@@ -88,6 +90,7 @@ class PanelArea : public QMainWindow {
   void raiseFirstOfEachPlace();
 
   std::vector<Panel> m_panels;
+  std::set<QString> m_front;  ///< ids
   PanelWishes m_wishes;
   PanelPlan m_room;
   QSize m_window{1600, 1000};

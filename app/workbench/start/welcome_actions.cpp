@@ -37,6 +37,11 @@ void add_starts(MainWindow& window, WelcomePage& page) {
   }
 }
 
+/// Beside the page there is still a scene.
+bool has_room_for(const WelcomePage& page, MainWindow& window) {
+  return window.width() >= page.minimumWidth() + window.scene().minimumWidth();
+}
+
 }  // namespace
 
 void add_welcome_actions(MainWindow& window) {
@@ -60,12 +65,17 @@ void add_welcome_actions(MainWindow& window) {
   show->setCheckable(true);
   QObject::connect(show, &QAction::toggled, page, [page, show, &window](bool on) {
     page->setVisible(on);
+    if (on && !has_room_for(*page, window))
+      window.messages().showInformation("The welcome page needs a wider window");
     window.panels().leaveRoomBeside(on ? page->minimumWidth() : 0);
     if (on)
       page->setFocus();
     else
       window.scene().setFocus();
     show->setChecked(on);
+  });
+  QObject::connect(&window, &MainWindow::panelsArranged, page, [page, show, &window] {
+    page->setVisible(show->isChecked() && has_room_for(*page, window));
   });
   QObject::connect(page, &WelcomePage::closeRequested, show, [show] { show->setChecked(false); });
   QObject::connect(page, &WelcomePage::shownAtStartChanged, page,

@@ -22,8 +22,14 @@ FrameReader::~FrameReader() = default;
 Result<std::unique_ptr<FrameReader>> FrameReader::open(SessionDatabase& database) {
   auto rows = database.prepare("SELECT " + frame_columns() +
                                ", checksum FROM frames WHERE frame BETWEEN ? AND ? ORDER BY frame");
-  auto settings =
-      database.prepare("SELECT frame, json FROM settings WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
+  const auto learning =
+      database.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'learning'");
+  const bool has_learning = learning && learning->value_or(0) > 0;  // earlier programs did not write it
+  auto settings = database.prepare(
+      std::string("SELECT frame, json, ") +
+      (has_learning ? "(SELECT is_learning FROM learning WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1)"
+                    : "0") +
+      " FROM settings WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1");
   auto decisions =
       database.prepare("SELECT frame, json FROM decisions WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
   auto last_until = database.prepare(
@@ -65,6 +71,7 @@ Status FrameReader::add_settings(FrameSnapshot& frame) {
   if (!found) return found.error();
   if (!*found) return Error{"there are no settings of frame " + std::to_string(frame.index), {}};
   const std::int64_t from = row.integer(0);
+  frame.is_learning = row.integer(2) != 0;
   auto known = settings_.find(from);
   if (known == settings_.end()) {
     const auto parsed = parse_settings(row.text(1), Settings{}, "settings of frame " + std::to_string(from));

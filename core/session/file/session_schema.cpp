@@ -31,6 +31,7 @@ CREATE TABLE poses (
   time_s REAL, sender_time_s REAL, counter INTEGER, discontinuous INTEGER NOT NULL, pose BLOB NOT NULL,
   checksum INTEGER NOT NULL);
 CREATE TABLE settings (frame INTEGER PRIMARY KEY, time_s REAL NOT NULL, json TEXT NOT NULL);
+CREATE TABLE learning (frame INTEGER PRIMARY KEY, is_learning INTEGER NOT NULL);
 CREATE TABLE decisions (frame INTEGER PRIMARY KEY, time_s REAL NOT NULL, json TEXT NOT NULL);
 CREATE TABLE takes (
   id INTEGER PRIMARY KEY, name TEXT NOT NULL, begun_at TEXT NOT NULL, start_s REAL NOT NULL, end_s REAL,

@@ -98,6 +98,11 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   if (const Status begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
   const Status current = *empty ? create_session_schema(database_) : migrate_session_schema(database_);
   if (!current) return current;
+  // Files of earlier programs of this version do not have it.
+  if (const Status made = database_.execute(
+          "CREATE TABLE IF NOT EXISTS learning (frame INTEGER PRIMARY KEY, is_learning INTEGER NOT NULL)");
+      !made)
+    return made;
   if (const Status begun = begin_run(); !begun) return begun;
   if (const Status prepared = prepare_statements(); !prepared) return prepared;
   // In the file itself, so that it is a session file even if the log is lost.
@@ -159,14 +164,15 @@ Status SessionWriter::prepare_statements() {
       "checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   auto pair = database_.prepare("INSERT OR IGNORE INTO pairs VALUES (?, ?, ?, ?, ?, ?)");
   auto settings = database_.prepare("INSERT INTO settings VALUES (?, ?, ?)");
+  auto learning = database_.prepare("INSERT INTO learning VALUES (?, ?)");
   auto decisions = database_.prepare("INSERT INTO decisions VALUES (?, ?, ?)");
   auto begin = database_.prepare("BEGIN IMMEDIATE");
   auto commit = database_.prepare("COMMIT");
-  for (const auto* statement : {&frame, &pose, &pair, &settings, &decisions, &begin, &commit})
+  for (const auto* statement : {&frame, &pose, &pair, &settings, &learning, &decisions, &begin, &commit})
     if (!*statement) return statement->error();
-  statements_ = std::make_unique<Statements>(Statements{std::move(*frame), std::move(*pose), std::move(*pair),
-                                                        std::move(*settings), std::move(*decisions),
-                                                        std::move(*begin), std::move(*commit)});
+  statements_ = std::make_unique<Statements>(
+      Statements{std::move(*frame), std::move(*pose), std::move(*pair), std::move(*settings),
+                 std::move(*learning), std::move(*decisions), std::move(*begin), std::move(*commit)});
   return Done{};
 }
 

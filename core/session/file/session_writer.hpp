@@ -75,6 +75,7 @@ class SessionWriter {
   /// State that depends on the rows already written.
   struct Memory {
     std::optional<Settings> settings;
+    std::optional<bool> is_learning;
     std::optional<Decisions> decisions;
     std::shared_ptr<const Decisions> decided;  ///< the value from which `decisions` was made
     std::string input;

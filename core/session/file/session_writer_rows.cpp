@@ -123,6 +123,12 @@ Status SessionWriter::note_settings(const FrameSnapshot& frame, std::int64_t ind
     if (Status written = keep_fault(row); !written) return written;
     memory_.settings = frame.settings;
   }
+  if (memory_.is_learning != frame.is_learning) {
+    SessionStatement& row = statements_->learning;
+    row.bind(0, index).bind(1, static_cast<std::int64_t>(frame.is_learning));
+    if (Status written = keep_fault(row); !written) return written;
+    memory_.is_learning = frame.is_learning;
+  }
   if (memory_.decisions && memory_.decided == frame.decisions) return Done{};
   const Decisions decisions = frame.decisions ? *frame.decisions : Decisions{};
   if (memory_.decisions != decisions) {

@@ -7,7 +7,7 @@ namespace abrazo {
 
 /// Statements prepared once, for what is written in every frame.
 struct SessionWriter::Statements {
-  SessionStatement frame, pose, pair, settings, decisions, begin, commit;
+  SessionStatement frame, pose, pair, settings, learning, decisions, begin, commit;
 };
 
 }  // namespace abrazo

@@ -178,9 +178,11 @@ double LiveLoop::time_since_previous(const SourcePose& input) {
   return elapsed;
 }
 
-/// Frames of a session ascend in time, whatever the source's clock does.
+/// Frames of a session ascend in time, whatever the source's clock does. While a source catches up on a
+/// backlog its times are behind those that were given, so the frames get the times at which they are solved.
 double LiveLoop::frame_time(const SourcePose& input, double now_s) const {
-  const double time_s = std::abs(input.time_s - now_s) < same_clock_s ? input.time_s : now_s;
+  const bool is_usable = std::abs(input.time_s - now_s) < same_clock_s && input.time_s > last_frame_s_;
+  const double time_s = is_usable ? input.time_s : now_s;
   return last_frame_s_ < 0 ? time_s : std::max(time_s, last_frame_s_ + least_between_frames_s);
 }
 

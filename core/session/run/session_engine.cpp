@@ -106,7 +106,8 @@ struct SessionEngine::Parts {
   std::unique_ptr<LiveLoop> make_loop(std::shared_ptr<PartnerSynthesizer> synthesizer,
                                       std::shared_ptr<PoseSource> source,
                                       std::shared_ptr<const FrameStore> recorded) {
-    history.set_store(std::move(recorded));
+    opened = std::move(recorded);
+    history.set_store(opened);
     return std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest,
                                       [this] { return clock.now_s(); });
   }
@@ -146,6 +147,7 @@ struct SessionEngine::Parts {
   SessionClock clock;
   SessionOpeners openers;
   CommandQueue commands;
+  std::shared_ptr<const FrameStore> opened;  ///< of before this run; may be null
   FrameHistory history;
   LatestSlot<FrameSnapshot> latest;
   std::shared_ptr<PoseSource> own_source;  ///< of the constructor; belongs to the solver thread
@@ -296,7 +298,8 @@ std::vector<SinkHealth> SessionEngine::sinks() const {
 
 void SessionEngine::keep_history(std::shared_ptr<HistoryKeeper> keeper) {
   parts_->keeper = std::move(keeper);
-  parts_->history.set_store(joined_stores(parts_->history.store(), parts_->keeper->store()));
+  if (parts_->recorder) parts_->keeper->rest(parts_->recorder->store());
+  parts_->history.set_store(joined_stores(parts_->opened, parts_->keeper->store()));
   push(AttachListener{std::make_shared<FromTheStart>(parts_->keeper, parts_->history)});
 }
 

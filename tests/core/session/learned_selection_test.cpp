@@ -300,6 +300,52 @@ TEST(LearnedSelection, FramesSayThatTheLibraryIsStillLearned) {
   EXPECT_GT(selected_by_intent, 100);
 }
 
+/// The tick of the timeline says why the method changed, also after the session was closed and opened.
+TEST(LearnedSelection, ARecordingKnowsWhichFramesWereSolvedWhileTheLibraryWasLearned) {
+  const RecordedSession session;
+  const auto file = SessionFile::open(session.path);
+  ASSERT_TRUE(file) << file.error().text();
+  std::size_t next = 0;
+  SettingsTrack live, reopened;
+  const auto pass = (*file)->each_frame(-1e9, 1e9, [&](const FrameSnapshot& read) -> Status {
+    const FrameSnapshot& solved = *session.keeper->frames.at(next++);
+    EXPECT_EQ(read.is_learning, solved.is_learning) << solved.index;
+    live.append(solved);
+    reopened.append(read);
+    return Done{};
+  });
+  ASSERT_TRUE(pass);
+  ASSERT_EQ(live.changes().size(), reopened.changes().size());
+  int with_reason = 0;
+  for (std::size_t c = 0; c < live.changes().size(); ++c) {
+    EXPECT_EQ(reopened.changes()[c].text, live.changes()[c].text);
+    with_reason += !reopened.changes()[c].reason.empty();
+  }
+  EXPECT_GT(with_reason, 0);
+}
+
+TEST(LearnedSelection, AFileOfAnEarlierProgramWithoutThatTableIsReadAndGoneOnIn) {
+  const RecordedSession session;
+  {
+    auto database = SessionDatabase::open(session.path, SessionDatabase::Access::Write);
+    ASSERT_TRUE(database);
+    ASSERT_TRUE(database->execute("DROP TABLE learning"));
+  }
+  const auto file = SessionFile::open(session.path);
+  ASSERT_TRUE(file) << file.error().text();
+  std::size_t frames = 0;
+  const auto pass = (*file)->each_frame(-1e9, 1e9, [&](const FrameSnapshot& read) -> Status {
+    EXPECT_FALSE(read.is_learning);
+    ++frames;
+    return Done{};
+  });
+  ASSERT_TRUE(pass);
+  EXPECT_EQ(frames, session.keeper->frames.size());
+  const auto recorder = Recorder::open(session.path, test::session_facts());
+  ASSERT_TRUE(recorder) << recorder.error().text();
+  EXPECT_TRUE((*recorder)->finish());
+}
+
 TEST(LearnedSelection, TheTermsOfEveryCandidateAreRecordedWithTheSameBits) {
   const RecordedSession session;
   const auto file = SessionFile::open(session.path);

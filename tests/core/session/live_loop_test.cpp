@@ -43,6 +43,41 @@ TEST(LiveLoop, SolvesEveryPoseOfTheInputAndKeepsEachFrame) {
   EXPECT_NEAR(frames.back()->input_rate_hz, 60, 0.1);
 }
 
+/// A source whose poses all come 1.5 s late, and then at once.
+class Backlog : public PoseSource {
+ public:
+  std::optional<SourcePose> poll(double now_s) override {
+    if (next_ >= 200 || now_s < 1.5) return std::nullopt;
+    SourcePose pose;
+    pose.pose = take_.poses[next_];
+    pose.time_s = static_cast<double>(next_++) / 60;
+    return pose;
+  }
+  double next_due_s() const override { return 0; }
+  double rate_hz() const override { return 60; }
+  void set_max_rate(double) override {}
+  std::optional<Body> body() const override { return std::nullopt; }
+  void on_arrival(std::function<void()>) override {}
+
+ private:
+  Clip take_ = test::swinging_take("user", 200, 4).a;
+  std::size_t next_ = 0;
+};
+
+TEST(LiveLoop, FramesOfABacklogStandWhereTheyAreSolvedUntilTheSourceHasCaughtUp) {
+  Live live;
+  LiveLoop loop(std::move(*PartnerSynthesizer::create(test::small_library(), test::responsive_by_pose())),
+                std::make_unique<Backlog>(), live.commands, live.history, live.latest);
+  constexpr double turn_s = 0.004;
+  for (int turn = 0; turn < 250; ++turn) loop.turn(1.5 + turn * turn_s);
+  const auto frames = live.history.since(0);
+  ASSERT_EQ(frames.size(), 200U);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_GT(frames[i]->time_s - frames[i - 1]->time_s, 0.9 * turn_s) << i;
+    EXPECT_NEAR(frames[i]->elapsed_s, 1.0 / 60, 1e-9) << "of the poses, whenever they are solved";
+  }
+}
+
 TEST(LiveLoop, SettingsActOnTheRunningSolverAndAreRecorded) {
   Live live;
   const auto loop = live.loop(*preset("paper"));

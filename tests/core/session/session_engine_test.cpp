@@ -87,6 +87,24 @@ class FakeRecorder : public Recorder {
   bool finished = false;
 };
 
+class FakeKeeper : public HistoryKeeper {
+ public:
+  void frame_solved(const FrameSnapshotPtr& frame) override { frames.frame_solved(frame); }
+  void rest(std::shared_ptr<const FrameStore>) override { rests = true; }
+  Status go_on() override {
+    rests = false;
+    return Done{};
+  }
+  void tend() override {}
+  void set_bound(std::uint64_t) override {}
+  State state() const override { return {}; }
+  std::shared_ptr<const FrameStore> store() const override { return nullptr; }
+  void remove() override {}
+
+  test::FakeListener frames;
+  bool rests = false;
+};
+
 class Engine : public testing::Test {
  protected:
   static std::unique_ptr<PartnerSynthesizer> synthesizer() {
@@ -227,6 +245,19 @@ TEST_F(Engine, ARecordingHasEveryFrameAndPoseBetweenItsBeginningAndItsEnd) {
   EXPECT_EQ(recorder->frames.frames().size(), frames.size());
   EXPECT_TRUE(frames.front()->before);
   for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_EQ(frames[i]->index, frames[i - 1]->index + 1);
+}
+
+/// Its files are made by a worker, and meanwhile a recording may have begun.
+TEST_F(Engine, AHistoryKeptFromLaterOnHasTheEarlierFramesAndRestsDuringARecording) {
+  ASSERT_TRUE(runs_on_the_clip());
+  ASSERT_TRUE(engine.record("S.abrazo", {}));
+  const auto keeper = std::make_shared<FakeKeeper>();
+  engine.keep_history(keeper);
+  EXPECT_TRUE(keeper->rests);
+  ASSERT_TRUE(eventually([&] { return keeper->frames.frames().size() > 2; }));
+  EXPECT_EQ(keeper->frames.frames().front()->index, 0U);
+  ASSERT_TRUE(engine.stop_recording());
+  EXPECT_FALSE(keeper->rests);
 }
 
 TEST_F(Engine, ALaterStreamIsRecordedToo) {

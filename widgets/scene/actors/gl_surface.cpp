@@ -4,12 +4,18 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkProp.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLExtraFunctions>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <utility>
 
 namespace abrazo::widgets {
 namespace {
@@ -21,6 +27,32 @@ PointerButtons pressed_in(const QMouseEvent& event) {
   const auto key = [&event](Qt::KeyboardModifier which) { return event.modifiers().testFlag(which); };
   return {button(Qt::LeftButton), button(Qt::MiddleButton), button(Qt::RightButton),
           key(Qt::ShiftModifier), key(Qt::ControlModifier), key(Qt::AltModifier)};
+}
+
+std::vector<vtkRenderer*> layers_of(vtkRenderWindow& window) {
+  std::vector<vtkRenderer*> layers;
+  vtkRendererCollection& all = *window.GetRenderers();
+  all.InitTraversal();
+  while (vtkRenderer* layer = all.GetNextItem()) layers.push_back(layer);
+  return layers;
+}
+
+std::vector<vtkProp*> shown_props(vtkRenderWindow& window) {
+  std::vector<vtkProp*> props;
+  for (vtkRenderer* layer : layers_of(window)) {
+    vtkPropCollection& all = *layer->GetViewProps();
+    all.InitTraversal();
+    while (vtkProp* prop = all.GetNextProp())
+      if (prop->GetVisibility() != 0) props.push_back(prop);
+  }
+  return props;
+}
+
+/// Nothing is compiled for an actor without geometry.
+bool draws_something(vtkProp& prop) {
+  if (prop.IsA("vtkActor") == 0) return true;
+  const double* bounds = prop.GetBounds();
+  return bounds != nullptr && bounds[0] <= bounds[1];
 }
 
 }  // namespace
@@ -73,21 +105,69 @@ void GlSurface::requestPicture() {
   update();
 }
 
+/// What is shown and was never drawn.
+std::vector<vtkProp*> GlSurface::uncompiled() const {
+  std::vector<vtkProp*> props = shown_props(*m_window);
+  std::erase_if(props,
+                [this](vtkProp* prop) { return m_compiled.contains(prop) || !draws_something(*prop); });
+  return props;
+}
+
+/// Draws a part of what is shown for the first time.
+/// @return whether the picture can be drawn without a long wait
+bool GlSurface::prepare() {
+  constexpr qint64 enough_ms = 12;
+  QElapsedTimer clock;
+  clock.start();
+  if (!m_window || !fits()) return true;
+  if (!m_context.isValid()) return !start();  // without OpenGL there is nothing to wait for
+  if (!std::exchange(m_isBegun, true)) {
+    drawOnly({});
+    return false;
+  }
+  std::vector<vtkProp*> rest = uncompiled();
+  if (rest.empty()) return true;
+  for (; !rest.empty() && clock.elapsed() < enough_ms; rest.pop_back()) drawOnly(rest.back());
+  return false;
+}
+
+/// Into the place where pictures are drawn, from which it is not fetched. @param prop  null: the background
+void GlSurface::drawOnly(vtkProp* prop) {
+  const std::vector<vtkProp*> props = shown_props(*m_window);
+  const std::vector<vtkRenderer*> layers = layers_of(*m_window);
+  std::vector<bool> smooth;
+  for (vtkRenderer* layer : layers) smooth.push_back(layer->GetUseFXAA());
+  if (prop)
+    for (vtkRenderer* layer : layers) layer->SetUseFXAA(false);  // compiled with the background
+  for (vtkProp* other : props) other->SetVisibility(other == prop);
+  m_window->Render();
+  for (vtkProp* other : props) other->SetVisibility(1);
+  for (std::size_t i = 0; i < layers.size(); ++i) layers[i]->SetUseFXAA(smooth[i]);
+  if (prop) m_compiled.insert(prop);
+}
+
 const QImage& GlSurface::picture() {
   if (m_stale || m_picture.size() != size() * devicePixelRatioF()) draw();
   return m_picture;
 }
 
-void GlSurface::draw() {
-  m_stale = false;
+/// Makes room for a picture of the widget's size. @return whether there is any
+bool GlSurface::fits() {
   const QSize pixels = size() * devicePixelRatioF();
   if (m_picture.size() != pixels) {
     m_picture = QImage(pixels, QImage::Format_RGB32);
-    m_picture.fill(Qt::black);
+    m_picture.fill(palette().color(QPalette::Window));
     m_fetched.resize(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()));
   }
-  if (!m_window || pixels.isEmpty() || !start()) return;
-  m_window->SetSize(pixels.width(), pixels.height());
+  if (m_window && !pixels.isEmpty()) m_window->SetSize(pixels.width(), pixels.height());
+  return !pixels.isEmpty();
+}
+
+void GlSurface::draw() {
+  m_stale = false;
+  if (!fits() || !m_window || !start()) return;
+  for (vtkProp* prop : uncompiled()) m_compiled.insert(prop);
+  m_isBegun = true;
   m_window->Render();
   makeCurrent();  // listeners of the end of a picture may have changed the context
   fetch();
@@ -117,7 +197,13 @@ void GlSurface::fetch() {
 
 void GlSurface::paintEvent(QPaintEvent*) {
   const bool is_requested = m_stale;
-  QPainter(this).drawImage(0, 0, picture());
+  QPainter painter(this);
+  const bool is_grabbed = painter.device()->devType() == QInternal::Pixmap;  // whoever grabs does not wait
+  if (is_requested && !is_grabbed && !prepare()) {
+    painter.drawImage(0, 0, m_picture);
+    return QTimer::singleShot(0, this, [this] { update(); });
+  }
+  painter.drawImage(0, 0, picture());
   // Reported when the window has it.
   if (is_requested && shown) QTimer::singleShot(0, this, [this] { shown(); });
 }

@@ -7,18 +7,22 @@
 #include <QOpenGLContext>
 #include <QWidget>
 #include <functional>
+#include <unordered_set>
 #include <vector>
 
 #include "widgets/scene/values/pointer_moves.hpp"
 
 class vtkGenericOpenGLRenderWindow;
+class vtkProp;
 
 namespace abrazo::widgets {
 
 /// Where the scene is shown: drawn off the screen by OpenGL, and painted as a picture like any other widget.
 /// A widget with OpenGL in the window would make Qt put the whole window together by OpenGL whenever anything
 /// in it changes (decision 0041). Converts pointer events to camera moves itself, because VTK's interactor
-/// styles tilt the horizon and grab keys.
+/// styles tilt the horizon and grab keys. A program of the graphics driver takes tens of milliseconds to
+/// compile, on the processor still more; a first picture is therefore prepared in several turns of the event
+/// loop, and shown when it is whole.
 class GlSurface : public QWidget {
  public:
   explicit GlSurface(QWidget* parent);
@@ -56,13 +60,20 @@ class GlSurface : public QWidget {
 
  private:
   bool start();
+  bool prepare();
+  std::vector<vtkProp*> uncompiled() const;
+  void drawOnly(vtkProp* prop);
   void makeCurrent();
+  bool fits();
   void draw();
   void fetch();
 
   QOffscreenSurface m_place;
   QOpenGLContext m_context;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> m_window;
+  /// What was drawn once. A driver compiles a program for an object when it draws it for the first time.
+  std::unordered_set<vtkProp*> m_compiled;
+  bool m_isBegun = false;          ///< an empty picture was drawn
   std::vector<quint32> m_fetched;  ///< as OpenGL gives it: from the bottom, red first
   QImage m_picture;
   bool m_stale = true;

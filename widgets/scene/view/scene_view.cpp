@@ -141,11 +141,16 @@ const std::vector<Selection>& SceneView::hidden() const {
 
 void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   Parts& p = *m_parts;
-  p.library = std::move(library);
-  p.picker.setLibrary(p.library);
   p.framed = false;
   for (SteadyRange& range : p.ranges) range.reset();
   p.cell_range.reset();
+  extendLibrary(std::move(library));
+}
+
+void SceneView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
+  Parts& p = *m_parts;
+  p.library = std::move(library);
+  p.picker.setLibrary(p.library);
   dressCharacters();
   if (!p.library || p.library->bodies().empty()) return;
   p.actors.setRadii(p.library->usual_active_body().capsule_radii,

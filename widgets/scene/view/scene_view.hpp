@@ -29,6 +29,8 @@ class SceneView : public QWidget {
 
   /// Provides radii of the bodies and names of sources.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  /// The same takes with other labels, or with more takes: the view and the ranges stay.
+  void extendLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
   /// Skins for the characters instead of capsules.
   /// @param stances  of the two performers; absent: measured in the library
