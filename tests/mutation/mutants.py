@@ -1,4 +1,4 @@
-"""Writes mutants into sources: every one is compiled in, and the one that ABRAZO_MUTANT names is switched on."""
+"""Writes mutants into sources: those of a sample are compiled in, and the one that ABRAZO_MUTANT names is switched on."""
 
 import json
 import pathlib
@@ -27,7 +27,8 @@ class Mutants:
 
 
 class File:
-    """The insertions of one file. At one place the ends of what is inside come first, then beginnings from outside in."""
+    """The insertions of one file, each with the number of its mutant. At one place the ends of what is inside come first,
+    then beginnings from outside in."""
 
     def __init__(self, path, name, mutants):
         self.path, self.name, self.mutants = path, name, mutants
@@ -39,15 +40,21 @@ class File:
 
     def wrap(self, cursor, before, after):
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        self.edits.append((start, 1, -(end - start), len(self.edits), 0, before))
-        self.edits.append((end, 0, end - start, -len(self.edits), 0, after))
+        self.insert((start, 1, -(end - start), len(self.edits), 0, before))
+        self.insert((end, 0, end - start, -len(self.edits), 0, after))
 
     def replace(self, offset, length, text):
-        self.edits.append((offset, 2, 0, 0, length, text))
+        self.insert((offset, 2, 0, 0, length, text))
 
-    def write(self):
+    def insert(self, edit):
+        """Of the mutant that was added last."""
+        self.edits.append((*edit, len(self.mutants.rows) - 1))
+
+    def write(self, chosen):
         out, at = [], 0
-        for offset, _, _, _, length, text in sorted(self.edits, key=lambda edit: edit[:4]):
+        for offset, _, _, _, length, text, number in sorted(self.edits, key=lambda edit: edit[:4]):
+            if number not in chosen:
+                continue
             out += [self.source[at:offset], text.encode()]
             at = offset + length
         self.path.write_bytes(b"".join(out) + self.source[at:])
@@ -100,8 +107,8 @@ class File:
         if not after:
             return
         id = self.mutants.add(self.name, cursor, "statement left out", self.text(cursor))
-        self.edits.append((cursor.extent.start.offset, 1, -(end - cursor.extent.start.offset) - 1, 0, 0, f"if (!{NAME}on({id})) {{ "))
-        self.edits.append((end + after.end(), 0, 1 << 30, 0, 0, " }"))
+        self.insert((cursor.extent.start.offset, 1, -(end - cursor.extent.start.offset) - 1, 0, 0, f"if (!{NAME}on({id})) {{ "))
+        self.insert((end + after.end(), 0, 1 << 30, 0, 0, " }"))
 
 
 def is_macro(cursor, macros):
@@ -173,8 +180,11 @@ def arguments(commands, tree):
     raise SystemExit(f"{commands} has no command for core")
 
 
-def write(tree, flags_of, folders):
-    """Changes the sources of FOLDERS below TREE in place; rows of number, file, line, column, kind and text."""
+def write(tree, flags_of, folders, draw):
+    """Changes the sources of FOLDERS below TREE in place.
+
+    Rows of all mutants (number, file, line, column, kind, text) go to DRAW; those that it returns are written and returned.
+    """
     index, mutants, files = Index.create(), Mutants(), []
     flags = arguments(flags_of, tree)
     for folder in folders:
@@ -192,6 +202,7 @@ def write(tree, flags_of, folders):
             file = File(path, str(path.relative_to(tree)), mutants)
             visit(unit.cursor, file, str(path), macros, False)
             files.append(file)
+    rows = draw(mutants.rows)
     for file in files:
-        file.write()
-    return mutants.rows
+        file.write({row[0] for row in rows})
+    return rows
