@@ -306,27 +306,6 @@ int main(int argc, char** argv) {
   app::Responsiveness responsiveness;
   window.resize(asked.size);
   window.show();
-  if (qEnvironmentVariableIsSet("THEME")) {
-    for (int i = 0; i < 30; ++i) QApplication::processEvents(QEventLoop::AllEvents, 50);
-    int vis = 0, pol = 0, all = 0;
-    for (QWidget* w : QApplication::allWidgets()) {
-      ++all;
-      vis += w->isVisible();
-      pol += w->testAttribute(Qt::WA_WState_Polished);
-    }
-    std::printf("widgets %d, visible %d, polished %d\n", all, vis, pol);
-    for (int i = 0; i < 10; ++i) {
-      QElapsedTimer c;
-      c.start();
-      const double own = app::thread_s();
-      window.setTheme(i % 2 ? widgets::Theme::Dark : widgets::Theme::Light);
-      const double a = 1e-6 * static_cast<double>(c.nsecsElapsed()), ao = 1000 * (app::thread_s() - own);
-      QApplication::processEvents();
-      std::printf("theme %.1f ms (own %.1f), painted %.1f (own %.1f)\n", a, ao,
-                  1e-6 * static_cast<double>(c.nsecsElapsed()), 1000 * (app::thread_s() - own));
-    }
-    return 0;
-  }
   app::measure(window, responsiveness, asked);
   return 0;
 }

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "core/session/run/history_keeper.hpp"
 #include "core/stream/receive/clip_source.hpp"
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/settings.hpp"
