@@ -10,6 +10,7 @@ namespace {
 TEST(DecisionEdits, APinTakesThePlaceOfTheOneBeforeAndLiftsThePairsOwnVeto) {
   const auto library = test::two_take_library();
   Decisions decided = with_veto_toggled({}, Reach::Pair, 3, *library);
+  EXPECT_FALSE(is_neutral(decided));
   decided = with_pin_toggled(decided, 1);
   EXPECT_EQ(decided.pinned, 1);
   decided = with_pin_toggled(decided, 3);
@@ -116,7 +117,10 @@ TEST(DecisionEdits, WhatAnotherLibraryDoesNotHaveFallsAway) {
   decided.meant = IntendedMove{"turn", {}, -1, false};
   EXPECT_TRUE(carried_over(decided, *from, *to).meant);
   EXPECT_EQ(carried.role_control, RoleControl::Leader);
-  EXPECT_EQ(carried_over(with_pin_toggled({}, 5), *from, *from).pinned, 5);
+  for (const int pinned : {0, 5}) {
+    EXPECT_FALSE(is_neutral(with_pin_toggled({}, pinned)));
+    EXPECT_EQ(carried_over(with_pin_toggled({}, pinned), *from, *from).pinned, pinned);
+  }
 }
 
 }  // namespace

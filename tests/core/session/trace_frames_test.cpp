@@ -27,7 +27,7 @@ FrameResult example(double distance_m) {
   result.candidates.resize(3);
   for (Candidate& candidate : result.candidates) candidate.pair = 0;
   result.selected = 1;
-  result.foot_locks = {{true, false}, {false, true}};
+  result.foot_locks = {{true, false}, {true, true}, {false, true}, {false, false}};
   result.collisions = {{{1, 2}, {26, 27}, 0.02, 0.01}};
   result.status = StepStatus::Relaxed;
   result.message = "feet were let go";

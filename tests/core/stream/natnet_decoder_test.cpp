@@ -325,8 +325,15 @@ TEST(NatNetMessages, OtherProtocolsAndCutPacketsAreNamed) {
 TEST(NatNetMessages, AGroupIsFourNumbersFrom0To255) {
   EXPECT_EQ(parse_natnet_group("239.0.0.255"), 0xEF0000FF);
   for (const char* none :
-       {"239.0.0.256", "239.0.-1.1", "239.0.0", "239.0.0.1.2", "239.0.x.1", "10.0.0.9", ""})
+       {"239.0.0.256", "239.0.-1.1", "-17.0.0.1", "239.0.0", "239.0.0.1.2", "239.0.x.1", "10.0.0.9", ""})
     EXPECT_FALSE(parse_natnet_group(none)) << none;
+}
+
+TEST(NatNetMessages, AVersionIsOneOf3Point0To4Point2) {
+  EXPECT_EQ(parse_natnet_version("3.0"), (NatNetVersion{3, 0}));
+  EXPECT_EQ(parse_natnet_version("4.2"), (NatNetVersion{4, 2}));
+  for (const char* none : {"2.10", "4.3", "5.0", "-3.0", "4", "4.x", "4.1.0", ""})
+    EXPECT_FALSE(parse_natnet_version(none)) << none;
 }
 
 TEST(NatNetMessages, TheServerInfoHas283Bytes) {

@@ -111,6 +111,17 @@ TEST(XsensHeader, IsReadByteByByte) {
   EXPECT_EQ(writer.bytes(), bytes);
 }
 
+TEST(XsensHeader, BeginsWithMxtpAndTwoDigits) {
+  const std::string rest = " 00 01 00 02  81  17  00 00 03 E8  01  17 02 28  00 00  00 00";
+  for (const char* id : {"4D 58 54 51 30 32", "4D 58 54 50 30 3A", "4D 58 54 50 2F 32"}) {
+    const auto bytes = test::bytes_of(id + rest);
+    ByteReader reader(bytes, ByteOrder::Big);
+    const auto header = parse_xsens_header(reader);
+    ASSERT_FALSE(header) << id;
+    EXPECT_NE(header.error().text().find("no packet of Xsens MVN"), std::string::npos);
+  }
+}
+
 TEST(XsensPose, AFullBodyHas760BytesAndIsTurnedToYUp) {
   Listener listener("xsens://0.0.0.0:9763");
   const double yaw = std::numbers::pi / 6;
@@ -374,7 +385,10 @@ TEST(XsensIssues, TwoPoseTypesAtOnceAreNotTwoStreams) {
 TEST(XsensIssues, OptionsThatAreNoneAreErrors) {
   for (const char* text : {"xsens://h?units=inch", "xsens://h?up=x"})
     EXPECT_FALSE(make_xsens_decoder(*parse_stream_uri(text))) << text;
-  EXPECT_FALSE(make_xsens_encoder(*parse_stream_uri("xsens://h?character=300"), Body{}));
+  for (const char* character : {"300", "256", "-1", "ana"})
+    EXPECT_FALSE(
+        make_xsens_encoder(*parse_stream_uri(std::string("xsens://h?character=") + character), Body{}))
+        << character;
   StreamUri uri = *parse_stream_uri("natnet://h");
   uri.options["units"] = "cm";
   EXPECT_TRUE(make_xsens_decoder(uri));

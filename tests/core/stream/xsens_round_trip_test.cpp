@@ -28,6 +28,20 @@ void expect_joints_back(const Clip& clip, double ends_m) {
   }
 }
 
+TEST(XsensRoundTrip, WhoListensLaterIsToldTheBodyWithinASecond) {
+  const Clip clip = test::demo_clip();
+  auto sender = make_xsens_encoder(*parse_stream_uri("xsens://h:9763?performer=Ana"), body_of(clip.poses));
+  ASSERT_TRUE(sender);
+  const auto packets_at = [&](double time_s) {
+    return (*sender)->packets({.pose = clip.poses.front(), .time_s = time_s}).size();
+  };
+  const std::size_t with_body = packets_at(0), poses = packets_at(0.5);
+  EXPECT_GT(with_body, poses);
+  EXPECT_EQ(packets_at(1), with_body);
+  EXPECT_EQ(packets_at(1.5), poses);
+  EXPECT_EQ(packets_at(0.1), with_body) << "its clock began anew";
+}
+
 TEST(XsensRoundTrip, GivesAGeneratedDanceBack) {
   expect_joints_back(test::demo_clip(), 1e-4);
 }

@@ -39,6 +39,26 @@ TEST(PairFit, BodiesThatCannotPartWithoutLeavingTheirPlacesOverlapOnStandingFeet
   EXPECT_LT(outcome.bone_error, 1e-3);
 }
 
+TEST(PairFit, WhatWasNotLetGoIsKept) {
+  int kept = 0, let_go = 0;
+  for (double rebuilt_m = 0.1; rebuilt_m < 0.6; rebuilt_m += 0.02)
+    for (const double radius_m : {0.03, 0.06, 0.09, 0.12}) {
+      const Standing two(1.2, rebuilt_m);
+      PairFit fit({all(0.03), all(0.03), all(radius_m), all(radius_m)});
+      const PairFit::Outcome outcome = fit.fit(two.task());
+      EXPECT_LE(outcome.bone_error, 1e-3) << rebuilt_m << ' ' << radius_m;
+      if (outcome.let_go < PairFit::LetGo::StandingFeet) {
+        EXPECT_LE(outcome.foot_drift_m, 1e-3) << rebuilt_m << ' ' << radius_m;
+      }
+      if (outcome.let_go < PairFit::LetGo::Capsules) {
+        EXPECT_LE(outcome.excess_m, 0.01) << rebuilt_m << ' ' << radius_m;
+      }
+      ++(outcome.let_go == PairFit::LetGo::Nothing ? kept : let_go);
+    }
+  EXPECT_GT(kept, 10);
+  EXPECT_GT(let_go, 10);
+}
+
 TEST(PairFit, HandsThatHoldOneAnotherAreDrawnTogether) {
   const Standing two(0.75, 0.75);
   const int active_hand = joints::left_hand, passive_hand = joint_count + joints::right_hand;
