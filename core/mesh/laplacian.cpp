@@ -24,24 +24,27 @@ void Laplacian::build(std::span<const MeshEdge> edges, const PairPose& reference
     if (n > 0) weights_.row(j) /= scale;
     diagonal_(j) = weights_.row(j).sum();
   }
-  // M has about a dozen entries in a row: the product is summed over those alone.
+  // M has about a dozen entries in a row: the product is summed over those alone, for its lower triangle.
   gram_.setZero();
+  const auto add = [&](int a, int b, double product) { gram_(std::max(a, b), std::min(a, b)) += product; };
   for (int j = 0; j < pair_vertex_count; ++j) {
     const auto& around = neighbours_[static_cast<std::size_t>(j)];
     const int n = neighbour_count_[static_cast<std::size_t>(j)];
     const double own = diagonal_(j);
+    std::array<double, pair_vertex_count> shares;
+    for (int a = 0; a < n; ++a)
+      shares[static_cast<std::size_t>(a)] = weights_(j, around[static_cast<std::size_t>(a)]);
     gram_(j, j) += own * own;
     for (int a = 0; a < n; ++a) {
       const int va = around[static_cast<std::size_t>(a)];
-      const double wa = weights_(j, va);
-      gram_(j, va) -= own * wa;
-      gram_(va, j) -= own * wa;
-      for (int b = 0; b < n; ++b) {
-        const int vb = around[static_cast<std::size_t>(b)];
-        gram_(va, vb) += wa * weights_(j, vb);
-      }
+      const double wa = shares[static_cast<std::size_t>(a)];
+      add(j, va, -(own * wa));
+      for (int b = 0; b <= a; ++b)
+        add(va, around[static_cast<std::size_t>(b)], wa * shares[static_cast<std::size_t>(b)]);
     }
   }
+  for (int column = 1; column < pair_vertex_count; ++column)
+    for (int row = 0; row < column; ++row) gram_(row, column) = gram_(column, row);
 }
 
 PairPose Laplacian::apply(const PairPose& positions) const {

@@ -29,6 +29,7 @@
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/session_template.hpp"
 #include "tests/support/bodies.hpp"
+#include "tests/support/humanoid_rig.hpp"
 #include "tests/support/libraries.hpp"
 #include "widgets/plots/pane_arrangement.hpp"
 #include "widgets/timeline/timeline_lanes.hpp"
@@ -221,6 +222,9 @@ void write_scenes() {
     const aiExportDataBlob* blob = exporter.ExportToBlob(scene, format, 0);
     if (blob) seed(target, name, {static_cast<const char*>(blob->data), blob->size});
   }
+  seed("character", "mixamo.glb", test::skinned_rig(test::Naming::Mixamo));
+  seed("character", "vrm0.vrm", test::skinned_rig(test::Naming::Vrm0));
+  seed("character", "vrm1.vrm", test::skinned_rig(test::Naming::Vrm1));
   std::string chain = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
   for (int n = 0; n < 2'000; ++n) chain += fmt::format("{{\"children\":[{}]}},", n + 1);
   seed("gltf", "chain.gltf", chain + "{}]}");

@@ -119,6 +119,8 @@ TEST(MorphStep, IsNamedByMorphsThenProjections) {
   EXPECT_EQ(step_text(*frame, 3), "3 / 5 + 2");
   EXPECT_EQ(step_text(*frame, 6), "5 + 1 / 5 + 2");
   EXPECT_EQ(step_text(*frame, 7), "5 + 2 / 5 + 2");
+  frame->result.morph_steps.push_back(frame->result.result);
+  EXPECT_EQ(step_text(*frame, 8), "5 + 3 / 5 + 3");
 }
 
 TEST(CameraMove, ArrivesExactlyAndGoesTheShorterWayAround) {

@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/motion/scenes/glb_file.hpp"
+#include "core/motion/scenes/gltf_json.hpp"
 #include "core/motion/scenes/rig_motion.hpp"
 
 namespace abrazo {
@@ -12,8 +13,6 @@ namespace abrazo {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr int float_component = 5126;
 
 /// Keys of a rig's bones, as readers of glTF want them.
 struct RigKeys {
@@ -43,7 +42,7 @@ int add_accessor(GlbFile& glb, const std::vector<float>& values, int per_value, 
   views.push_back({{"buffer", 0}, {"byteOffset", glb.binary.size()}, {"byteLength", values.size() * 4}});
   glb.binary.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
   Json accessor = {{"bufferView", views.size() - 1},
-                   {"componentType", float_component},
+                   {"componentType", gltf::single_float},
                    {"count", values.size() / static_cast<std::size_t>(per_value)},
                    {"type", type}};
   if (per_value == 1) {

@@ -6,27 +6,13 @@
 
 #include "core/base/little_endian.hpp"
 #include "core/motion/scenes/glb_file.hpp"
+#include "core/motion/scenes/gltf_json.hpp"
 
 namespace abrazo {
 
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::uint64_t signed_byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123,
-                        unsigned_int = 5125, single_float = 5126;
-
-std::size_t bytes_of_component(std::uint64_t component) {
-  if (component == signed_byte || component == unsigned_byte) return 1;
-  if (component == signed_short || component == unsigned_short) return 2;
-  return component == unsigned_int || component == single_float ? 4 : 0;
-}
-
-std::size_t components_of(std::string_view type) {
-  if (type == "SCALAR") return 1;
-  if (type == "MAT4") return 16;
-  return type.starts_with("VEC") ? static_cast<std::size_t>(type.back() - '0') : 0;
-}
 
 const Json* entry(const Json& json, const char* list, std::uint64_t index) {
   const auto found = json.find(list);
@@ -60,9 +46,9 @@ std::optional<GltfValues> GltfValues::find(const GlbFile& glb, std::uint64_t ind
   if (!from || !length || *from > glb.binary.size() || *length > glb.binary.size() - *from)
     return std::nullopt;
   GltfValues values;
-  values.component_ = *component;
-  values.component_bytes_ = bytes_of_component(*component);
-  const std::uint64_t value_bytes = values.component_bytes_ * components_of(type);
+  values.component_ = static_cast<std::int64_t>(*component);
+  values.component_bytes_ = gltf::bytes_of_component(values.component_);
+  const std::uint64_t value_bytes = values.component_bytes_ * gltf::components_of(type);
   const auto stride = whole(*view, "byteStride", value_bytes);
   const auto normalized = accessor->find("normalized");
   values.is_normalized_ =
@@ -80,7 +66,7 @@ std::optional<GltfValues> GltfValues::find(const GlbFile& glb, std::uint64_t ind
 }
 
 bool GltfValues::is_float() const {
-  return component_ == single_float;
+  return component_ == gltf::single_float;
 }
 
 std::uint64_t GltfValues::integer(std::size_t value, std::size_t component) const {
@@ -91,8 +77,10 @@ double GltfValues::number(std::size_t value, std::size_t component) const {
   const std::uint64_t bits = integer(value, component);
   if (is_float()) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
   double plain = static_cast<double>(bits), most = component_bytes_ == 1 ? 255 : 65535;
-  if (component_ == signed_byte) plain = static_cast<double>(static_cast<std::int8_t>(bits)), most = 127;
-  if (component_ == signed_short) plain = static_cast<double>(static_cast<std::int16_t>(bits)), most = 32767;
+  if (component_ == gltf::signed_byte)
+    plain = static_cast<double>(static_cast<std::int8_t>(bits)), most = 127;
+  if (component_ == gltf::signed_short)
+    plain = static_cast<double>(static_cast<std::int16_t>(bits)), most = 32767;
   return is_normalized_ && component_bytes_ < 4 ? std::max(plain / most, -1.0) : plain;
 }
 

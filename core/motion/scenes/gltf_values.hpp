@@ -12,7 +12,7 @@ struct GlbFile;
 class GltfValues {
  public:
   /// @param index  of the accessor
-  /// @param type   expected: SCALAR, VEC2, VEC3, VEC4 or MAT4
+  /// @param type   expected: SCALAR, VEC3, MAT4, ...
   /// @return none if the accessor is not there, of another type, sparse, or reaches beyond the buffer
   static std::optional<GltfValues> find(const GlbFile& glb, std::uint64_t index, std::string_view type);
 
@@ -27,7 +27,7 @@ class GltfValues {
  private:
   std::string_view bytes_;  ///< from the first value on
   std::size_t size_ = 0, stride_ = 0, component_bytes_ = 0;
-  std::uint64_t component_ = 0;
+  std::int64_t component_ = 0;
   bool is_normalized_ = false;
 };
 

@@ -63,6 +63,7 @@ bool read_nodes(const Json& json, std::vector<RigNode>& nodes, std::vector<int>&
     RigNode& node = nodes[static_cast<std::size_t>(order[i])];
     node.world =
         node.parent < 0 ? node.local : nodes[static_cast<std::size_t>(node.parent)].world * node.local;
+    if (!node.world.matrix().allFinite()) return false;
     const Json& of_node = json[static_cast<std::size_t>(order[i])];
     if (of_node.contains("children"))
       for (const Json& child : of_node["children"]) order.push_back(child.get<int>());

@@ -80,16 +80,11 @@ std::optional<double> whole_number(const Json& value, double otherwise) {
 }
 
 std::optional<double> bytes_of_a_value(const Json& accessor) {
-  static const std::map<int, int> of_component = {{5120, 1}, {5121, 1}, {5122, 2},
-                                                  {5123, 2}, {5125, 4}, {5126, 4}};
-  static const std::map<std::string, int> components = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
-                                                        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
   const Json &component = member(accessor, "componentType"), &type = member(accessor, "type");
   if (!component.is_number_integer() || !type.is_string()) return std::nullopt;
-  const auto bytes = of_component.find(component.get<int>());
-  const auto count = components.find(type.get<std::string>());
-  if (bytes == of_component.end() || count == components.end()) return std::nullopt;
-  return bytes->second * count->second;
+  const std::size_t bytes = gltf::bytes_of_component(component.get<std::int64_t>()) *
+                            gltf::components_of(type.get_ref<const std::string&>());
+  return bytes > 0 ? std::optional(static_cast<double>(bytes)) : std::nullopt;
 }
 
 /// Whether the values of an accessor lie in its view, and that in its buffer: readers copy them without

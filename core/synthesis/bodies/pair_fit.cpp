@@ -96,10 +96,14 @@ bool PairFit::morph(LetGo let_go) {
     if (!solve_step(let_go, 1)) return false;
   for (int step = 0;; ++step) {
     const double bone_error = bone_length_error(iterate_, lengths_);
-    const double excess_m = excess(let_go);
-    if ((bone_error <= bone_goal && excess_m <= excess_goal_m) || step == most_projections)
-      return bone_error <= bone_limit && excess_m <= excess_limit_m &&
-             (let_go >= LetGo::StandingFeet || foot_drift() <= drift_limit_m);
+    const bool is_last = step == most_projections;
+    // Overlaps are measured where they decide: it takes a search among all capsules.
+    if (bone_error <= bone_goal || is_last) {
+      const double excess_m = excess(let_go);
+      if (excess_m <= excess_goal_m || is_last)
+        return bone_error <= bone_limit && excess_m <= excess_limit_m &&
+               (let_go >= LetGo::StandingFeet || foot_drift() <= drift_limit_m);
+    }
     if (!project_step(let_go)) return false;
   }
 }

@@ -10,6 +10,9 @@ namespace {
 
 struct Segment {
   Vec3 from, to;
+
+  Vec3 middle() const { return 0.5 * (from + to); }
+  double half_length() const { return 0.5 * (to - from).norm(); }
 };
 
 Segment bone_segment(const PairPose& pose, int b, int first_vertex) {
@@ -33,21 +36,28 @@ CapsuleContacts::CapsuleContacts() {
 void CapsuleContacts::find_near(const PairPose& pose, double gap_m) {
   near_.clear();
   std::array<Segment, bone_count> passive_segments;
-  for (int b = 0; b < bone_count; ++b)
-    passive_segments[static_cast<std::size_t>(b)] = bone_segment(pose, b, joint_count);
+  std::array<Vec3, bone_count> passive_middles;
+  std::array<double, bone_count> passive_halves;
+  for (int b = 0; b < bone_count; ++b) {
+    const auto at = static_cast<std::size_t>(b);
+    passive_segments[at] = bone_segment(pose, b, joint_count);
+    passive_middles[at] = passive_segments[at].middle();
+    passive_halves[at] = passive_segments[at].half_length();
+  }
   for (int i = 0; i < bone_count; ++i) {
     const double active_radius = active_[static_cast<std::size_t>(i)];
     if (active_radius <= 0) continue;
     const Segment one = bone_segment(pose, i, 0);
-    const Vec3 middle = 0.5 * (one.from + one.to);
-    const double half = 0.5 * (one.to - one.from).norm();
+    const Vec3 middle = one.middle();
+    const double half = one.half_length();
     for (int j = 0; j < bone_count; ++j) {
       const double passive_radius = passive_[static_cast<std::size_t>(j)];
       if (passive_radius <= 0 || held_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]) continue;
-      const Segment& other = passive_segments[static_cast<std::size_t>(j)];
       const double reach = active_radius + passive_radius + gap_m;
-      const double farthest = reach + half + 0.5 * (other.to - other.from).norm();
-      if ((middle - 0.5 * (other.from + other.to)).squaredNorm() > farthest * farthest) continue;
+      const double farthest = reach + half + passive_halves[static_cast<std::size_t>(j)];
+      if ((middle - passive_middles[static_cast<std::size_t>(j)]).squaredNorm() > farthest * farthest)
+        continue;
+      const Segment& other = passive_segments[static_cast<std::size_t>(j)];
       const SegmentApproach approach = closest_points(one.from, one.to, other.from, other.to);
       if (approach.distance > reach) continue;
       NearPair found;
@@ -101,12 +111,14 @@ void CapsuleContacts::add_rows(const PairPose& iterate, std::vector<ConstraintRo
     const NearPair& pair = near_[n];
     const auto [a, b] = bone(pair.active_bone);
     const auto [c, d] = bone(pair.passive_bone);
-    // A capsule whose axis went through the other's is pushed back, not on.
-    const Segment one = bone_segment(sides_, pair.active_bone, 0);
-    const Segment other = bone_segment(sides_, pair.passive_bone, joint_count);
-    const Vec3 recorded = closest_points(one.from, one.to, other.from, other.to).normal;
     Vec3 normal = pair.normal;
-    if (normal.isZero() || (pair.depth > 0 && normal.dot(recorded) < 0)) normal = recorded;
+    if (pair.depth > 0 || normal.isZero()) {
+      // A capsule whose axis went through the other's is pushed back, not on.
+      const Segment one = bone_segment(sides_, pair.active_bone, 0);
+      const Segment other = bone_segment(sides_, pair.passive_bone, joint_count);
+      const Vec3 recorded = closest_points(one.from, one.to, other.from, other.to).normal;
+      if (normal.isZero() || normal.dot(recorded) < 0) normal = recorded;
+    }
     if (normal.isZero()) continue;
     ConstraintRow row;
     row.kind = RowKind::Capsule;

@@ -49,8 +49,9 @@ void ConstrainedSolver::stiffen(int a, int b, double c) {
   VertexNumbers column = inverse_[at_a];
   dense::add(-1, inverse_[at_b].data(), padded_vertices, column.data());
   const double share = c / (1.0 + c * (column[at_a] - column[at_b]));
-  for (std::size_t v = 0; v < pair_vertex_count; ++v)
-    dense::add(-share * column[v], column.data(), padded_vertices, inverse_[v].data());
+  VertexNumbers shares;
+  for (std::size_t v = 0; v < shares.size(); ++v) shares[v] = -share * column[v];
+  dense::add_outer(shares.data(), column.data(), padded_vertices, padded_vertices, inverse_.front().data());
 }
 
 double ConstrainedSolver::stiffness(int a, int b) const {

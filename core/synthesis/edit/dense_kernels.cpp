@@ -181,6 +181,23 @@ struct Kernels {
     for (int i = 0; i < size; i += width) *at(y + i) += *at(x + i) * c;
   }
 
+  template <int blocks>
+  [[gnu::always_inline]] static void add_outer_rows(const double* c, const double* x, int i, int size,
+                                                    int stride, double* a) {
+    Register rows[blocks];
+    for (int b = 0; b < blocks; ++b) rows[b] = at(x + i)[b];
+    for (int k = 0; k < size; ++k)
+      for (int b = 0; b < blocks; ++b) at(a + k * stride + i)[b] += rows[b] * c[k];
+  }
+
+  [[gnu::always_inline]] static void add_outer(const double* c, const double* x, int size, int stride,
+                                               double* a) {
+    constexpr int step = 4 * width;
+    int i = 0;
+    for (; i + step <= size; i += step) add_outer_rows<4>(c, x, i, size, stride, a);
+    for (; i < size; i += width) add_outer_rows<1>(c, x, i, size, stride, a);
+  }
+
   [[gnu::always_inline]] static void combine(const Combination& of, int size, double* y) {
     for (int i = 0; i < size; i += width) {
       Register sum = {};
@@ -226,6 +243,7 @@ struct Table {
   void (*invert)(const double* l, int size, int stride, const double* inverse_diagonal, double* inverse);
   double (*dot)(const double* x, const double* y, int size);
   void (*add)(double c, const double* x, int size, double* y);
+  void (*add_outer)(const double* c, const double* x, int size, int stride, double* a);
   void (*combine)(const Combination& of, int size, double* y);
   void (*combine_scaled)(const Combination& of, const double* u, const double* const* a, int size, double* y);
   void (*add_columns)(const double* const* columns, int count, const double* const* weights, int size,
@@ -247,6 +265,9 @@ struct OfTwo {
   }
   static double dot(const double* x, const double* y, int size) { return Kernels<2>::dot(x, y, size); }
   static void add(double c, const double* x, int size, double* y) { return Kernels<2>::add(c, x, size, y); }
+  static void add_outer(const double* c, const double* x, int size, int stride, double* a) {
+    return Kernels<2>::add_outer(c, x, size, stride, a);
+  }
   static void combine(const Combination& of, int size, double* y) { return Kernels<2>::combine(of, size, y); }
   static void combine_scaled(const Combination& of, const double* u, const double* const* a, int size,
                              double* y) {
@@ -281,6 +302,10 @@ struct OfFour {
   [[gnu::target("avx2")]] static void add(double c, const double* x, int size, double* y) {
     return Kernels<4>::add(c, x, size, y);
   }
+  [[gnu::target("avx2")]] static void add_outer(const double* c, const double* x, int size, int stride,
+                                                double* a) {
+    return Kernels<4>::add_outer(c, x, size, stride, a);
+  }
   [[gnu::target("avx2")]] static void combine(const Combination& of, int size, double* y) {
     return Kernels<4>::combine(of, size, y);
   }
@@ -298,9 +323,9 @@ using OfFour = OfTwo;
 #endif
 
 template <typename Ways>
-constexpr Table table_of = {Ways::factor,     Ways::solve_lower, Ways::solve_upper, Ways::invert,
-                            Ways::dot,        Ways::add,         Ways::combine,     Ways::combine_scaled,
-                            Ways::add_columns};
+constexpr Table table_of = {
+    Ways::factor, Ways::solve_lower, Ways::solve_upper, Ways::invert,         Ways::dot,
+    Ways::add,    Ways::add_outer,   Ways::combine,     Ways::combine_scaled, Ways::add_columns};
 
 bool has_four() {
 #ifdef __x86_64__
@@ -363,6 +388,10 @@ void invert(const double* l, int n, int stride, const double* inverse_diagonal, 
 
 double dot(const double* x, const double* y, int n) {
   return table().dot(x, y, padded(n));
+}
+
+void add_outer(const double* c, const double* x, int n, int stride, double* a) {
+  table().add_outer(c, x, padded(n), stride, a);
 }
 
 void add(double c, const double* x, int n, double* y) {

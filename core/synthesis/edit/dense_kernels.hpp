@@ -34,6 +34,9 @@ double dot(const double* x, const double* y, int n);
 /// y <- y + c x over padded(n).
 void add(double c, const double* x, int n, double* y);
 
+/// A <- A + x c^T, over padded(n) rows and columns.
+void add_outer(const double* c, const double* x, int n, int stride, double* a);
+
 /// Vectors of padded(n) with their weights.
 struct Combination {
   std::array<const double*, 4> vectors{};

@@ -101,15 +101,21 @@ void DualSystem::spread(int row) {
 }
 
 void DualSystem::gather_equalities() {
+  static constexpr VertexNumbers nothing{};
   const auto count = static_cast<std::size_t>(equality_count());
   const auto size = static_cast<std::size_t>(dense::padded(equality_count()));
-  for (std::size_t c = 0; c < size; ++c) {
-    const bool is_row = c < count;
-    const auto row = static_cast<std::size_t>(is_row ? equalities_[c] : 0);
-    for (std::size_t a = 0; a < 3; ++a)
-      directions_[a][c] = is_row ? rows_[row].direction(static_cast<Eigen::Index>(a)) : 0;
-    for (std::size_t vertex = 0; vertex < pair_vertex_count; ++vertex)
-      by_vertex_[vertex * max_rows + c] = is_row ? spreads_[row][vertex] : 0;
+  for (std::size_t first = 0; first < size; first += dense::lanes) {
+    std::array<const double*, dense::lanes> numbers;
+    for (std::size_t lane = 0; lane < numbers.size(); ++lane) {
+      const std::size_t c = first + lane;
+      const auto row = static_cast<std::size_t>(c < count ? equalities_[c] : 0);
+      numbers[lane] = c < count ? spreads_[row].data() : nothing.data();
+      for (std::size_t a = 0; a < 3; ++a)
+        directions_[a][c] = c < count ? rows_[row].direction(static_cast<Eigen::Index>(a)) : 0;
+    }
+    double* to = by_vertex_.data() + first;
+    for (std::size_t vertex = 0; vertex < pair_vertex_count; ++vertex, to += max_rows)
+      for (std::size_t lane = 0; lane < numbers.size(); ++lane) to[lane] = numbers[lane][vertex];
   }
 }
 

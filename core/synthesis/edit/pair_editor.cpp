@@ -119,10 +119,14 @@ bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxat
   for (int step = 0; step < settings.projection_steps; ++step)
     if (!solve_step(settings, locks, relaxation, 1.0)) return false;
   for (int step = 0;; ++step) {
-    const double overlap_m = overlap(settings, relaxation);
     const double bone_error = bone_length_error(iterate_, task_.wanted);
-    if ((bone_error <= bone_goal && overlap_m <= overlap_goal_m) || step == extra_projection_steps)
-      return !steps_.empty() && bone_error <= bone_limit && overlap_m <= overlap_limit_m;
+    const bool is_last = step == extra_projection_steps;
+    // Overlaps are measured where they decide: it takes a search among all capsules.
+    if (bone_error <= bone_goal || is_last) {
+      const double overlap_m = overlap(settings, relaxation);
+      if (overlap_m <= overlap_goal_m || is_last)
+        return !steps_.empty() && bone_error <= bone_limit && overlap_m <= overlap_limit_m;
+    }
     if (!project_step(settings, locks, relaxation)) return false;
   }
 }

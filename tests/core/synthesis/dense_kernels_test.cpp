@@ -99,6 +99,12 @@ TEST_P(DenseKernels, SumUpAsTheyAreDefined) {
   dense::add(2.5, x.data(), n, sum.data());
   EXPECT_LT((first(sum, n) - (first(z, n) + 2.5 * first(x, n))).norm(), 1e-12);
 
+  std::vector<double> matrix(static_cast<std::size_t>(dense::padded(n) * dense::padded(n)), 1.0);
+  dense::add_outer(y.data(), x.data(), n, dense::padded(n), matrix.data());
+  const Eigen::Map<const Eigen::MatrixXd> outer(matrix.data(), dense::padded(n), dense::padded(n));
+  const Eigen::MatrixXd wanted = Eigen::MatrixXd::Ones(n, n) + first(x, n) * first(y, n).transpose();
+  EXPECT_LT((outer.topLeftCorner(n, n) - wanted).norm(), 1e-12);
+
   const dense::Combination of{{x.data(), y.data()}, {2, -3}, 2};
   const Eigen::VectorXd combined = 2 * first(x, n) - 3 * first(y, n);
   dense::combine(of, n, sum.data());

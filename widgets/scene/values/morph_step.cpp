@@ -28,7 +28,9 @@ FrameSnapshotPtr at_step(const FrameSnapshotPtr& frame, int step) {
 
 std::string step_text(const FrameSnapshot& frame, int step) {
   const bool has_way = frame.settings.playback == SourcePlayback::Frames;
-  const int morphs = has_way ? frame.settings.morph_steps : 1, projections = frame.settings.projection_steps;
+  const int morphs = has_way ? frame.settings.morph_steps : 1;
+  // A frame can have more than the settings ask for: until bones have their lengths, and on other bodies.
+  const int projections = std::max(frame.settings.projection_steps, step_count(frame) - morphs);
   const std::string all = std::to_string(morphs) + " + " + std::to_string(projections);
   const int shown = std::clamp(step, 0, step_count(frame));
   if (shown <= morphs) return std::to_string(shown) + " / " + all;
