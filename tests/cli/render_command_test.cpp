@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/cli/command_line_fixture.hpp"
+#include "tests/cli/live_fixture.hpp"
 #include "tests/support/humanoid_rig.hpp"
 
 namespace abrazo::test::render_command_test {
@@ -152,19 +153,16 @@ TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
 }
 
 /// As `timeout` and service managers do it: the program that draws gets the signal twice, once passed on.
+/// `timeout` signals the program that it started, and then everything in its process group.
 TEST_F(RenderCommand, LeavesNothingWhenAllOfItsGroupIsStopped) {
   make_trace();
   std::filesystem::create_directory(path("film"));
-  RunningCommand running({"/usr/bin/setsid", "--wait", ABRAZO_PROGRAM, "render", "T.jsonl", "-o",
-                          "film/a.mp4", "--size", "1920x1080", "--rate", "240"},
+  RunningCommand running({"/usr/bin/timeout", "--preserve-status", "3", ABRAZO_PROGRAM, "render", "T.jsonl",
+                          "-o", "film/a.mp4", "--size", "1920x1080", "--rate", "240"},
                          folder());
-  while (!running.finished() && std::filesystem::is_empty(path("film"))) std::this_thread::yield();
-  RunningCommand(
-      {"/bin/sh", "-c", "kill -TERM -$(pgrep -f -o '" ABRAZO_PROGRAM " render T.jsonl -o film/a.mp4')"},
-      folder())
-      .wait();
-  EXPECT_EQ(running.wait().status, 1);
-  EXPECT_TRUE(std::filesystem::is_empty(path("film")));
+  EXPECT_NE(running.wait().status, 0);
+  EXPECT_TRUE(wait_until([&] { return std::filesystem::is_empty(path("film")); }))
+      << "what renders ends after the program that started it";
 }
 
 }  // namespace

@@ -175,6 +175,7 @@ TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {
   EXPECT_TRUE(HistoryDesk::leftBehind(remembered().historyFolder()).isEmpty()) << "it belongs to this window";
   const QString crashed = remembered().historyFolder() + "/crashed";
   ASSERT_TRUE(QDir().mkpath(crashed));
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty(); })) << "a worker makes the files";
   const QString own = QDir(desk().folder()).filePath("1.abrazo");
   ASSERT_TRUE(QFile::copy(own, crashed + "/1.abrazo")) << own.toStdString();
   ASSERT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()), QStringList{crashed + "/1.abrazo"});

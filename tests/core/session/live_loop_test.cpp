@@ -43,11 +43,12 @@ TEST(LiveLoop, SolvesEveryPoseOfTheInputAndKeepsEachFrame) {
   EXPECT_NEAR(frames.back()->input_rate_hz, 60, 0.1);
 }
 
-/// A source whose poses all come 1.5 s late, and then at once.
+/// A source whose first 1.5 s come late and at once, and whose later poses are in time.
 class Backlog : public PoseSource {
  public:
   std::optional<SourcePose> poll(double now_s) override {
-    if (next_ >= 200 || now_s < 1.5) return std::nullopt;
+    const double due_s = std::max(1.5, static_cast<double>(next_) / 60);
+    if (next_ >= 200 || now_s < due_s) return std::nullopt;
     SourcePose pose;
     pose.pose = take_.poses[next_];
     pose.time_s = static_cast<double>(next_++) / 60;
@@ -69,7 +70,7 @@ TEST(LiveLoop, FramesOfABacklogStandWhereTheyAreSolvedUntilTheSourceHasCaughtUp)
   LiveLoop loop(std::move(*PartnerSynthesizer::create(test::small_library(), test::responsive_by_pose())),
                 std::make_unique<Backlog>(), live.commands, live.history, live.latest);
   constexpr double turn_s = 0.004;
-  for (int turn = 0; turn < 250; ++turn) loop.turn(1.5 + turn * turn_s);
+  for (int turn = 0; turn < 500; ++turn) loop.turn(1.5 + turn * turn_s);
   const auto frames = live.history.since(0);
   ASSERT_EQ(frames.size(), 200U);
   for (std::size_t i = 1; i < frames.size(); ++i) {

@@ -132,9 +132,9 @@ TEST(StreamDiagnosis, TheRightProtocolWithoutBonesSaysWhatToSwitchOn) {
     StreamObservation seen = healthy(uri);
     seen.performers.clear();
     seen.last_frame_s = -1;
-    EXPECT_THAT(texts(seen), AllOf(HasSubstr("no-bones"), HasSubstr(advice), Not(HasSubstr("oddity"))));
+    EXPECT_THAT(texts(seen), AllOf(HasSubstr("no-bones"), HasSubstr(advice), Not(HasSubstr("newest problem"))));
     seen.latest_issue = "a bone without a name";
-    EXPECT_THAT(texts(seen), HasSubstr(". The newest oddity: a bone without a name\n"));
+    EXPECT_THAT(texts(seen), HasSubstr(". The newest problem: a bone without a name\n"));
   }
 }
 

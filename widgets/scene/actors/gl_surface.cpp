@@ -1,9 +1,12 @@
 #include "widgets/scene/actors/gl_surface.hpp"
 
+#include <vtkActor.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProp.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
@@ -50,9 +53,9 @@ std::vector<vtkProp*> shown_props(vtkRenderWindow& window) {
 
 /// Nothing is compiled for an actor without geometry.
 bool draws_something(vtkProp& prop) {
-  if (prop.IsA("vtkActor") == 0) return true;
-  const double* bounds = prop.GetBounds();
-  return bounds != nullptr && bounds[0] <= bounds[1];
+  auto* actor = vtkActor::SafeDownCast(&prop);
+  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return !mapper || !mapper->GetInput() || mapper->GetInput()->GetNumberOfPoints() > 0;
 }
 
 }  // namespace
@@ -121,6 +124,7 @@ bool GlSurface::prepare() {
   clock.start();
   if (!m_window || !fits()) return true;
   if (!m_context.isValid()) return !start();  // without OpenGL there is nothing to wait for
+  m_window->SetSize(m_picture.width(), m_picture.height());
   if (!std::exchange(m_isBegun, true)) {
     drawOnly({});
     return false;
@@ -159,14 +163,14 @@ bool GlSurface::fits() {
     m_picture.fill(palette().color(QPalette::Window));
     m_fetched.resize(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()));
   }
-  if (m_window && !pixels.isEmpty()) m_window->SetSize(pixels.width(), pixels.height());
   return !pixels.isEmpty();
 }
 
 void GlSurface::draw() {
   m_stale = false;
   if (!fits() || !m_window || !start()) return;
-  for (vtkProp* prop : uncompiled()) m_compiled.insert(prop);
+  m_window->SetSize(m_picture.width(), m_picture.height());  // without a context it would size nothing
+  for (vtkProp* prop : shown_props(*m_window)) m_compiled.insert(prop);
   m_isBegun = true;
   m_window->Render();
   makeCurrent();  // listeners of the end of a picture may have changed the context
@@ -198,7 +202,10 @@ void GlSurface::fetch() {
 void GlSurface::paintEvent(QPaintEvent*) {
   const bool is_requested = m_stale;
   QPainter painter(this);
-  const bool is_grabbed = painter.device()->devType() == QInternal::Pixmap;  // whoever grabs does not wait
+  // Whoever grabs the widget does not wait. On the screen it is painted into an image of the whole window.
+  QPoint corner;
+  const QPaintDevice* target = redirected(&corner);
+  const bool is_grabbed = target && target->devType() == QInternal::Pixmap;
   if (is_requested && !is_grabbed && !prepare()) {
     painter.drawImage(0, 0, m_picture);
     return QTimer::singleShot(0, this, [this] { update(); });
