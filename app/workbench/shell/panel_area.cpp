@@ -162,7 +162,9 @@ void PanelArea::prepareTabBars() {
   for (QTabBar* tabs : tabBars()) {
     tabs->setAccessibleName("Panels that share a place");
     tabs->setDrawBase(false);
-    tabs->setElideMode(Qt::ElideNone);  // "Cand…" and "Comp…" name nothing; arrows lead to the others
+    // "Cand…" and "Comp…" name nothing; arrows lead to the others. Each call lays the window out, which calls
+    // this.
+    if (tabs->elideMode() != Qt::ElideNone) tabs->setElideMode(Qt::ElideNone);
   }
 }
 
