@@ -118,6 +118,25 @@ TEST_F(Layout, TabsOfPanelsHaveTheirWholeNamesInANarrowColumn) {
   window().resetLayout();
 }
 
+/// A window whose layout asks for another layout never rests.
+TEST_F(Layout, IsAtRestWhenNothingChanges) {
+  class Counter : public QObject {
+   public:
+    bool eventFilter(QObject*, QEvent* event) override {
+      requests += event->type() == QEvent::LayoutRequest;
+      return false;
+    }
+    int requests = 0;
+  } counter;
+  area().tabifyDockWidget(&panel("candidates"), &panel("settings"));
+  QTest::qWait(50);
+  area().installEventFilter(&counter);
+  constexpr int turns = 500;
+  for (int turn = 0; turn < turns; ++turn) QApplication::processEvents();
+  EXPECT_LT(counter.requests, turns / 10);
+  window().resetLayout();
+}
+
 /// A small window hides them all; the first of a place was in front afterwards.
 TEST_F(Layout, ThePanelThatWasInFrontIsThereAgainWhenThereIsRoomAgain) {
   window().resize(1600, 1000);

@@ -225,6 +225,7 @@ TEST(SweepMetric, EveryFigureStatesItsGoal) {
     EXPECT_NE(goal_of(name), FigureGoal::None) << name;
   }
   EXPECT_EQ(goal_of("movement.pace.p50"), FigureGoal::None);
+  EXPECT_EQ(goal_of("published.diversity.synthesised"), FigureGoal::None) << "best near the recording's";
   EXPECT_THROW(goal_of("contact.hugs"), std::invalid_argument);
 }
 

@@ -170,7 +170,7 @@ void GlSurface::draw() {
   m_stale = false;
   if (!fits() || !m_window || !start()) return;
   m_window->SetSize(m_picture.width(), m_picture.height());  // without a context it would size nothing
-  for (vtkProp* prop : shown_props(*m_window)) m_compiled.insert(prop);
+  for (vtkProp* prop : uncompiled()) m_compiled.insert(prop);
   m_isBegun = true;
   m_window->Render();
   makeCurrent();  // listeners of the end of a picture may have changed the context
