@@ -178,7 +178,7 @@ TEST(CapsuleSurface, LiesOneRadiusFromItsBone) {
   const CapsuleSurface surface(radii);
   const Pose pose = test::standing_pose();
   std::vector<float> points(static_cast<std::size_t>(3 * surface.point_count()));
-  surface.place(pose, 0.01, points);
+  surface.place(pose, 1, 0.01, points);
   const Vec3 a = pose.row(bone(1).first), b = pose.row(bone(1).second);
   for (std::size_t p = 0; p < points.size(); p += 3) {
     const Vec3 point(points[p], points[p + 1], points[p + 2]);
@@ -186,11 +186,26 @@ TEST(CapsuleSurface, LiesOneRadiusFromItsBone) {
   }
 }
 
+TEST(CapsuleSurface, HasRadiiInProportionToItsGirth) {
+  CapsuleRadii radii{};
+  radii[1] = 0.08;
+  const CapsuleSurface surface(radii);
+  const Pose pose = test::standing_pose();
+  std::vector<float> points(static_cast<std::size_t>(3 * surface.point_count()));
+  surface.place(pose, 1.5, 0.01, points);
+  const Vec3 a = pose.row(bone(1).first), b = pose.row(bone(1).second);
+  for (std::size_t p = 0; p < points.size(); p += 3) {
+    const Vec3 point(points[p], points[p + 1], points[p + 2]);
+    EXPECT_NEAR(closest_points(a, b, point, point).distance, 1.5 * 0.08 + 0.01, 1e-6)
+        << "a silhouette is not thicker";
+  }
+}
+
 TEST(CapsuleSurface, FacesOutwards) {
   const CapsuleSurface surface(generic_capsule_radii());
   const Pose pose = test::standing_pose();
   std::vector<float> points(static_cast<std::size_t>(3 * surface.point_count())), normals(points.size());
-  surface.place(pose, 0, points);
+  surface.place(pose, 1, 0, points);
   surface.place_normals(pose, normals);
   const auto at = [](const std::vector<float>& list, std::int64_t i) {
     const auto base = static_cast<std::size_t>(3 * i);

@@ -52,6 +52,20 @@ FrameSnapshotPtr recorded_frame(const MotionLibrary& library, int pair, std::uin
   return frame;
 }
 
+TEST(SceneView, DrawsAShorterCharacterThinnerInProportion) {
+  Scene scene({ScenePart::Leader});
+  const auto area = [&scene] {
+    return static_cast<double>(pixels_of_hue(middle_of(picture_of(scene.view)), dark().active));
+  };
+  const double of_the_library = area();
+  auto shorter = std::make_shared<FrameSnapshot>(*synthetic_frame(4, 0.10));
+  shorter->result.result *= 0.7;
+  scene.view.showFrame(shorter);
+  const double share = area() / of_the_library;  // 0.7 * 0.7, and the outline, which is as wide as before
+  EXPECT_GT(share, 0.49);
+  EXPECT_LT(share, 0.62);
+}
+
 /// A driver compiles its programs at the first picture, and a window that waits for that does not answer.
 TEST(SceneView, PreparesItsFirstPictureInSeveralTurnsAndShowsItWhole) {
   Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});

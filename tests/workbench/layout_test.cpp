@@ -23,6 +23,7 @@
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/theme.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -86,6 +87,7 @@ TEST_F(Layout, OtherColoursLayNothingOutAnewAndComeBack) {
     }
   };
   const auto pictures = [] {
+    EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
     QTest::qWait(50);
     return std::array{window().settings().grab().toImage(), window().candidates().grab().toImage(),
                       window().timeline().grab().toImage()};
@@ -152,17 +154,29 @@ TEST_F(Layout, ThePanelThatWasInFrontIsThereAgainWhenThereIsRoomAgain) {
   window().resetLayout();
 }
 
+/// All widgets at once would hold the window up; it is painted again when all of them have the colours.
+TEST_F(Layout, AChangeOfColoursIsNotSeenInParts) {
+  ASSERT_TRUE(until([] { return !widgets::is_applying_theme(); }));
+  window().setTheme(widgets::Theme::Light);
+  EXPECT_TRUE(widgets::is_applying_theme());
+  EXPECT_FALSE(window().updatesEnabled());
+  window().setTheme(widgets::Theme::Dark);  // before the first one is complete
+  EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
+  EXPECT_TRUE(window().updatesEnabled());
+}
+
 /// What is hidden is not polished for the new colours until it is shown.
 TEST_F(Layout, WhatWasHiddenDuringAChangeOfColoursHasThemWhenItIsShown) {
   widgets::SettingsPanel& settings = window().settings();
   const auto picture = [&settings] {
+    EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
     QTest::qWait(50);
     return settings.grab().toImage();
   };
   window().setTheme(widgets::Theme::Light);
   const QImage light = picture();
   window().setTheme(widgets::Theme::Dark);
-  QTest::qWait(50);
+  picture();
   panel("settings").hide();
   window().setTheme(widgets::Theme::Light);
   panel("settings").show();

@@ -267,8 +267,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
       "changing the colours",
       [&] {
         window.setTheme(widgets::Theme::Light);
-        QApplication::processEvents();
-        window.setTheme(widgets::Theme::Dark);
+        QTimer::singleShot(500, &window, [&window] { window.setTheme(widgets::Theme::Dark); });
       },
       [] { return true; });
   for (const QString& file : asked.files) {
@@ -303,9 +302,9 @@ int main(int argc, char** argv) {
   app::MainWindow window(remembered);
   window.setTheme(widgets::Theme::Dark);
   app::add_all_actions(window);
-  app::Responsiveness responsiveness;
   window.resize(asked.size);
   window.show();
+  app::Responsiveness responsiveness;  // there is a window that can answer
   app::measure(window, responsiveness, asked);
   return 0;
 }

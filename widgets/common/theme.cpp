@@ -1,13 +1,17 @@
 #include "widgets/common/theme.hpp"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QFontDatabase>
 #include <QPalette>
+#include <QPointer>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QTimer>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 /// A static library's resources must be initialised explicitly; the macro must be outside namespaces.
 static void load_resources() {
@@ -136,29 +140,63 @@ class OnlyColoursChange : public QObject {
   QApplication& m_application;
 };
 
-/// Qt polishes all widgets for a new sheet, of which most are hidden: those of closed panels, dialogs and
-/// menus. They are polished when they are shown.
-class PolishesWhenShown : public QObject {
+/// Qt polishes all widgets for a new sheet at once, and most of them twice. Here those that are shown get it
+/// in several turns of the event loop, and a window is painted again when all of its widgets have it; hidden
+/// ones (closed panels, dialogs, menus) get it when they are shown. A widget needs no unpolishing in between,
+/// because each sheet sets the same properties.
+class LatePolish : public QObject {
  public:
   using QObject::QObject;
 
   /// Before the sheet changes.
-  static void putOffHidden() {
+  void putOff() {
+    m_waiting.clear();
     for (QWidget* widget : QApplication::allWidgets()) {
-      if (widget->isVisible() || !widget->testAttribute(Qt::WA_WState_Polished)) continue;
-      widget->style()->unpolish(widget);
+      if (widget->windowType() == Qt::Desktop) continue;
       widget->setAttribute(Qt::WA_WState_Polished, false);
+      if (!widget->isVisible()) continue;
+      m_waiting.emplace_back(widget);
+      if (widget->isWindow()) widget->setUpdatesEnabled(false);
     }
+    goOnLater();
   }
+  bool isWaiting() const { return !m_waiting.empty(); }
+
   bool eventFilter(QObject* receiver, QEvent* event) override {
-    if (event->type() != QEvent::Show || !receiver->isWidgetType()) return false;
-    auto* widget = static_cast<QWidget*>(receiver);
-    if (widget->testAttribute(Qt::WA_WState_Polished)) return false;
-    widget->style()->polish(widget);
-    widget->setAttribute(Qt::WA_WState_Polished);
+    if (event->type() == QEvent::Show && receiver->isWidgetType()) polish(*static_cast<QWidget*>(receiver));
     return false;
   }
+
+ private:
+  static void polish(QWidget& widget) {
+    if (widget.testAttribute(Qt::WA_WState_Polished)) return;
+    widget.style()->polish(&widget);
+    widget.setAttribute(Qt::WA_WState_Polished);
+  }
+
+  void goOnLater() {
+    if (m_waiting.empty() || m_goesOn) return;
+    m_goesOn = true;
+    QTimer::singleShot(1, this, &LatePolish::goOn);  // at 0 it would wait until there is nothing else to do
+  }
+
+  void goOn() {
+    constexpr qint64 enough_ms = 10;
+    m_goesOn = false;
+    QElapsedTimer clock;
+    clock.start();
+    for (; !m_waiting.empty() && clock.elapsed() < enough_ms; m_waiting.pop_back())
+      if (QWidget* widget = m_waiting.back()) polish(*widget);
+    if (m_waiting.empty())
+      for (QWidget* window : QApplication::topLevelWidgets()) window->setUpdatesEnabled(true);
+    goOnLater();
+  }
+
+  std::vector<QPointer<QWidget>> m_waiting;
+  bool m_goesOn = false;
 };
+
+QPointer<LatePolish> late_polish;
 
 }  // namespace
 
@@ -185,10 +223,11 @@ void apply_theme(QApplication& application, const Palette& p) {
   if (application.styleSheet().isEmpty()) {
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setFont(interface_font());
-    application.installEventFilter(new PolishesWhenShown(&application));
+    late_polish = new LatePolish(&application);
+    application.installEventFilter(late_polish);
   } else {
     colours_only.emplace(application);
-    PolishesWhenShown::putOffHidden();
+    late_polish->putOff();
     // Qt 5 polishes a widget once for each of its parents where a sheet replaces another, and once where it
     // is the first.
     application.setStyleSheet({});
@@ -209,6 +248,10 @@ void apply_theme(QApplication& application, const Palette& p) {
     colours.setColor(QPalette::Disabled, role, p.secondary);
   application.setPalette(colours);
   application.setStyleSheet(style_sheet(p));
+}
+
+bool is_applying_theme() {
+  return late_polish && late_polish->isWaiting();
 }
 
 }  // namespace abrazo::widgets

@@ -55,10 +55,10 @@ void BodyActor::setRadii(const CapsuleRadii& radii) {
   m_parts->colourHull();
 }
 
-void BodyActor::setPose(const Pose& pose) {
+void BodyActor::setPose(const Pose& pose, double girth) {
   if (!m_parts->shape) return;
-  m_parts->shape->place(pose, 0, m_parts->skin.coordinates());
-  m_parts->shape->place(pose, outline_m, m_parts->hull.coordinates());
+  m_parts->shape->place(pose, girth, 0, m_parts->skin.coordinates());
+  m_parts->shape->place(pose, girth, outline_m, m_parts->hull.coordinates());
   m_parts->shape->place_normals(pose, m_parts->normals);
   m_parts->skin.points->Modified();
   m_parts->hull.points->Modified();

@@ -24,7 +24,8 @@ class BodyActor {
 
   /// @param radii  per bone [m]
   void setRadii(const CapsuleRadii& radii);
-  void setPose(const Pose& pose);
+  /// @param girth  times the radii: of a body that is taller or shorter than the one they belong to
+  void setPose(const Pose& pose, double girth);
   void setColour(const QColor& colour);
   /// Shades the body; called for every picture, because the light moves with the camera.
   void lightFor(const BodyLight& light);

@@ -91,10 +91,11 @@ void CapsuleSurface::visit(const Pose& pose, Put put) const {
   }
 }
 
-void CapsuleSurface::place(const Pose& pose, double inflation_m, std::span<float> points) const {
+void CapsuleSurface::place(const Pose& pose, double girth, double inflation_m,
+                           std::span<float> points) const {
   std::size_t next = 0;
   visit(pose, [&](const Vec3& centre, const Vec3& out, double radius) {
-    const Vec3 point = centre + (radius + inflation_m) * out;
+    const Vec3 point = centre + (girth * radius + inflation_m) * out;
     for (int c = 0; c < 3; ++c) points[next++] = static_cast<float>(point[c]);
   });
 }

@@ -17,8 +17,9 @@ class CapsuleSurface {
   /// @param radii  per bone [m]; a bone of radius 0 is not drawn
   explicit CapsuleSurface(const CapsuleRadii& radii);
 
+  /// @param girth        times every radius: of a body that is taller or shorter than the one of the radii
   /// @param inflation_m  added to every radius (for a silhouette)
-  void place(const Pose& pose, double inflation_m, std::span<float> points) const;
+  void place(const Pose& pose, double girth, double inflation_m, std::span<float> points) const;
   void place_normals(const Pose& pose, std::span<float> normals) const;
 
   int point_count() const { return static_cast<int>(bones_.size()) * points_per_capsule; }

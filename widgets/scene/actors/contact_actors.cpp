@@ -58,16 +58,16 @@ void ContactActors::setVisible(bool collisions, bool touches) {
   for (LineSet* lines : {&m_holds, &m_touches}) lines->setVisible(touches);
 }
 
-void ContactActors::show(const FrameResult& frame) {
+void ContactActors::show(const FrameResult& frame, const std::array<double, 2>& girths) {
   const auto bones = colliding_bones(frame);
   m_limbs.clear();
   for (std::size_t body = 0; body < 2; ++body) {
     const Pose pose = body == 0 ? Pose(frame.active()) : Pose(frame.passive());
-    m_bodies[body].show(bones[body], pose);
+    m_bodies[body].show(bones[body], pose, girths[body]);
     for (const int b : bones[body]) {
       const auto [from, to] = bone(b);
-      m_limbs.push_back(
-          {pose.row(from).transpose(), pose.row(to).transpose(), m_radii[body][static_cast<std::size_t>(b)]});
+      m_limbs.push_back({pose.row(from).transpose(), pose.row(to).transpose(),
+                         girths[body] * m_radii[body][static_cast<std::size_t>(b)]});
     }
   }
   std::vector<double> points;

@@ -16,7 +16,8 @@ class ContactActors {
   void setColours(const Palette& palette, double pixel_ratio);
   void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
   void setVisible(bool collisions, bool touches);
-  void show(const FrameResult& frame);
+  /// @param girths  of both bodies, times the radii
+  void show(const FrameResult& frame, const std::array<double, 2>& girths);
   /// Updates outlines, which are silhouettes and depend on the view direction.
   void outlineFor(const Vec3& direction);
   std::size_t touchCount() const { return m_touch_count; }

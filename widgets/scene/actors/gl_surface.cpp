@@ -15,10 +15,10 @@
 #include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLExtraFunctions>
+#include <QOpenGLShaderProgram>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QTimer>
-#include <utility>
 
 namespace abrazo::widgets {
 namespace {
@@ -123,16 +123,53 @@ bool GlSurface::prepare() {
   QElapsedTimer clock;
   clock.start();
   if (!m_window || !fits()) return true;
-  if (!m_context.isValid()) return !start();  // without OpenGL there is nothing to wait for
   m_window->SetSize(m_picture.width(), m_picture.height());
-  if (!std::exchange(m_isBegun, true)) {
-    drawOnly({});
-    return false;
+  switch (m_stage) {
+    case Stage::Nothing:  // the window itself is painted for the first time, too
+      m_stage = Stage::Painted;
+      return false;
+    case Stage::Painted:
+      if (!start()) return true;  // without OpenGL there is nothing to wait for
+      m_stage = Stage::Started;
+      return false;
+    case Stage::Started:
+      drawNothing();
+      m_stage = Stage::HasBuffers;
+      return false;
+    case Stage::HasBuffers:
+      compileNothing();
+      m_stage = Stage::HasCompiler;
+      return false;
+    case Stage::HasCompiler:
+      drawOnly(nullptr);
+      m_stage = Stage::HasBackground;
+      return false;
+    case Stage::HasBackground:
+      break;
   }
   std::vector<vtkProp*> rest = uncompiled();
   if (rest.empty()) return true;
   for (; !rest.empty() && clock.elapsed() < enough_ms; rest.pop_back()) drawOnly(rest.back());
   return false;
+}
+
+/// Makes the place where pictures are drawn.
+void GlSurface::drawNothing() {
+  const std::vector<vtkRenderer*> layers = layers_of(*m_window);
+  for (vtkRenderer* layer : layers) layer->DrawOff();
+  m_window->Render();
+  for (vtkRenderer* layer : layers) layer->DrawOn();
+}
+
+/// A driver starts its compiler with the first program.
+void GlSurface::compileNothing() {
+  makeCurrent();
+  QOpenGLShaderProgram program;
+  program.addShaderFromSourceCode(QOpenGLShader::Vertex,
+                                  "#version 150\nvoid main() { gl_Position = vec4(0.0); }\n");
+  program.addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                  "#version 150\nout vec4 colour;\nvoid main() { colour = vec4(0.0); }\n");
+  program.link();
 }
 
 /// Into the place where pictures are drawn, from which it is not fetched. @param prop  null: the background
@@ -171,7 +208,7 @@ void GlSurface::draw() {
   if (!fits() || !m_window || !start()) return;
   m_window->SetSize(m_picture.width(), m_picture.height());  // without a context it would size nothing
   for (vtkProp* prop : uncompiled()) m_compiled.insert(prop);
-  m_isBegun = true;
+  m_stage = Stage::HasBackground;
   m_window->Render();
   makeCurrent();  // listeners of the end of a picture may have changed the context
   fetch();
@@ -208,7 +245,7 @@ void GlSurface::paintEvent(QPaintEvent*) {
   const bool is_grabbed = target && target->devType() == QInternal::Pixmap;
   if (is_requested && !is_grabbed && !prepare()) {
     painter.drawImage(0, 0, m_picture);
-    return QTimer::singleShot(0, this, [this] { update(); });
+    return QTimer::singleShot(1, this, [this] { update(); });  // at 0 only when there is nothing else to do
   }
   painter.drawImage(0, 0, picture());
   // Reported when the window has it.

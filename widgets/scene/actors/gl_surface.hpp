@@ -62,6 +62,8 @@ class GlSurface : public QWidget {
   bool start();
   bool prepare();
   std::vector<vtkProp*> uncompiled() const;
+  void drawNothing();
+  void compileNothing();
   void drawOnly(vtkProp* prop);
   void makeCurrent();
   bool fits();
@@ -73,7 +75,9 @@ class GlSurface : public QWidget {
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> m_window;
   /// What was drawn once. A driver compiles a program for an object when it draws it for the first time.
   std::unordered_set<vtkProp*> m_compiled;
-  bool m_isBegun = false;          ///< an empty picture was drawn
+  /// What a first picture needs before its objects, each in a turn of its own.
+  enum class Stage { Nothing, Painted, Started, HasBuffers, HasCompiler, HasBackground };
+  Stage m_stage = Stage::Nothing;
   std::vector<quint32> m_fetched;  ///< as OpenGL gives it: from the bottom, red first
   QImage m_picture;
   bool m_stale = true;

@@ -67,7 +67,7 @@ void LimbActor::Parts::rebuild() {
   data->SetPolys(triangles);
 }
 
-void LimbActor::show(std::span<const int> bones, const Pose& pose) {
+void LimbActor::show(std::span<const int> bones, const Pose& pose, double girth) {
   Parts& p = *m_parts;
   if (!p.shape || !std::equal(bones.begin(), bones.end(), p.bones.begin(), p.bones.end())) {
     p.bones.assign(bones.begin(), bones.end());
@@ -75,7 +75,7 @@ void LimbActor::show(std::span<const int> bones, const Pose& pose) {
   }
   const auto count = static_cast<std::size_t>(3 * p.shape->point_count());
   if (count == 0) return;
-  p.shape->place(pose, 0, {static_cast<float*>(p.points->GetVoidPointer(0)), count});
+  p.shape->place(pose, girth, 0, {static_cast<float*>(p.points->GetVoidPointer(0)), count});
   p.points->Modified();
 }
 

@@ -21,7 +21,8 @@ class LimbActor {
   void setRadii(const CapsuleRadii& radii);
   void setColour(const QColor& colour, double opacity);
   /// @param bones  ascending; none shows nothing
-  void show(std::span<const int> bones, const Pose& pose);
+  /// @param girth  times the radii
+  void show(std::span<const int> bones, const Pose& pose, double girth);
   void setVisible(bool visible);
   void addTo(vtkRenderer* renderer);
 

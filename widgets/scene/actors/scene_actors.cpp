@@ -7,6 +7,7 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/synthesis/bodies/placed_pair.hpp"
 #include "widgets/scene/actors/ahead_lines.hpp"
 #include "widgets/scene/values/body_light.hpp"
 
@@ -54,7 +55,8 @@ SceneActors::SceneActors()
     for (LineSet& lines : *pair) lines.setLines(bone_lines(0));
   m_joints.setDots(pair_vertex_count);
   m_joint_rims.setDots(pair_vertex_count);
-  setRadii(generic_capsule_radii(), generic_capsule_radii());
+  const LibraryBody generic{"", {}, generic_capsule_radii()};
+  setBodies(generic, generic);
 }
 
 void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost) {
@@ -103,10 +105,15 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
   m_cut.setColours(palette, pixel_ratio);
 }
 
-void SceneActors::setRadii(const CapsuleRadii& active, const CapsuleRadii& passive) {
-  m_leader.setRadii(drawn_radii(active));
-  m_follower.setRadii(drawn_radii(passive));
-  m_contacts.setRadii(active, passive);
+void SceneActors::setBodies(const LibraryBody& active, const LibraryBody& passive) {
+  m_bodies = {active.body, passive.body};
+  m_leader.setRadii(drawn_radii(active.capsule_radii));
+  m_follower.setRadii(drawn_radii(passive.capsule_radii));
+  m_contacts.setRadii(active.capsule_radii, passive.capsule_radii);
+}
+
+double SceneActors::girthOf(std::size_t body, const Pose& pose) const {
+  return BodyChange{m_bodies[body], body_of(pose)}.girth();
 }
 
 void SceneActors::setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances) {
@@ -166,8 +173,9 @@ void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   setBodyVisible(0, is_on(ScenePart::Leader) && !exploded);
   setBodyVisible(1, is_on(ScenePart::Follower) && !exploded);
   for (LineSet& bones : m_bones) bones.setVisible(is_on(ScenePart::Bones) || exploded);
-  m_leader.setPose(result.active());
-  m_follower.setPose(result.passive());
+  const std::array<double, 2> girths = {girthOf(0, result.active()), girthOf(1, result.passive())};
+  m_leader.setPose(result.active(), girths[0]);
+  m_follower.setPose(result.passive(), girths[1]);
   m_skins[0].setPose(result.active(), frame.time_s);
   m_skins[1].setPose(result.passive(), frame.time_s);
   m_user.setPoints(coordinates(frame.user));
@@ -182,7 +190,7 @@ void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   m_trails.add(frame.time_s, result.result);
   if (m_visibility[static_cast<std::size_t>(ScenePart::Trails)]) showTrails();
   showFootLocks(result);
-  m_contacts.show(result);
+  m_contacts.show(result, girths);
   if (!m_reference_offset.isZero()) m_reference.show(result, m_mesh, m_reference_offset);
   showShadows(result);
   const auto count = [this](ScenePart part, std::size_t number) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/capsules.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/actors/body_actor.hpp"
@@ -34,7 +34,9 @@ class SceneActors {
   void addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost);
   /// @param pixel_ratio device pixels per logical pixel: line widths are in logical pixels
   void setColours(const Palette& palette, double pixel_ratio);
-  void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
+  /// The bodies of the library, whose capsules the characters get. A character of another height gets thicker
+  /// or thinner ones in proportion, as in the solver.
+  void setBodies(const LibraryBody& active, const LibraryBody& passive);
   /// Skins instead of the capsules. @param stances  of the performers
   void setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances);
   void setVisibility(const PartVisibility& visibility);
@@ -63,6 +65,7 @@ class SceneActors {
   void showFootLocks(const FrameResult& result);
   void showShadows(const FrameResult& result);
   void setBodyVisible(std::size_t body, bool visible);
+  double girthOf(std::size_t body, const Pose& pose) const;
   void drawTrails(const JointTrails::Lines& trails, LineSet& lines, double strength);
 
   Palette m_palette;
@@ -72,6 +75,7 @@ class SceneActors {
 
   FloorActor m_floor;
   BodyActor m_leader, m_follower;
+  std::array<Body, 2> m_bodies;      ///< active, passive: those of the radii
   std::array<SkinActor, 2> m_skins;  ///< active, passive
   LineSet m_user;
   std::array<LineSet, 2> m_selected, m_candidate, m_bones;

@@ -153,8 +153,7 @@ void SceneView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
   p.picker.setLibrary(p.library);
   dressCharacters();
   if (!p.library || p.library->bodies().empty()) return;
-  p.actors.setRadii(p.library->usual_active_body().capsule_radii,
-                    p.library->usual_passive_body().capsule_radii);
+  p.actors.setBodies(p.library->usual_active_body(), p.library->usual_passive_body());
 }
 
 void SceneView::setColours(const Palette& palette) {
