@@ -210,7 +210,7 @@ Result<TakeOnBodies> retarget_take(const PairedTake& take, const RetargetWish& w
   if (!to_passive) return to_passive.error();
   FitWeights weights;
   weights.relation.contact *= wish.contacts;
-  weights.relation.near *= wish.contacts;
+  weights.relation.near *= std::min(1.0, wish.contacts);  // beyond, near pairs would work against contacts
   weights.smooth *= wish.smoothness;
   auto pair = retarget_pair(std::move(*part_of_take),
                             {{active, to_active->body}, {passive, to_passive->body}}, progress, weights);

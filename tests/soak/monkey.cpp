@@ -219,6 +219,8 @@ class Monkey : public QObject {
       m_isDone = true;
       const bool leaked = leaks();
       const bool good = report();
+      endSender();
+      m_home.remove();
       std::_Exit(good && !leaked ? 0 : 1);
     }
   }

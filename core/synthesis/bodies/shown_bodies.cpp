@@ -26,7 +26,6 @@ constexpr double hold_opens_m = 0.05;
 FitWeights live_weights() {
   FitWeights weights;
   weights.smooth = 10;
-  weights.relation.near = 8;
   return weights;
 }
 

@@ -12,8 +12,8 @@ namespace abrazo {
 struct RelationWeights {
   double contact = 30;  ///< of a pair of joints that touch
   double contact_width_m = 0.10;
-  double near = 4;  ///< of one that is near
-  double near_width_m = 0.20;
+  double near = 8;  ///< of one that is near
+  double near_width_m = 0.30;
   double far_m = 0.5;          ///< pairs farther apart have only the mesh
   double mesh_width_m = 0.35;  ///< a mesh edge between the bodies keeps its vector by exp(-(d/width)^2)
 };
