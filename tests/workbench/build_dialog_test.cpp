@@ -140,6 +140,9 @@ TEST_F(BuildDialogTest, DrawsBothPerformersFromTwoSides) {
 TEST_F(BuildDialogTest, AnEmptyPlanAsksForMotionFiles) {
   EXPECT_THAT(remarks(), Contains(HasSubstr("To do: no motion yet: add the files")));
   EXPECT_FALSE(button("Build")->isEnabled());
+  EXPECT_TRUE(button("Add files…")->isDefault()) << "Return does what is to be done";
+  offer(couple("a.bvh", "b.bvh", 40));
+  EXPECT_TRUE(button("Build")->isDefault());
 }
 
 TEST_F(BuildDialogTest, TakesArePairedByHand) {

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "app/workbench/compare/comparison_desk.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/compare/compare_panel.hpp"
@@ -76,6 +77,18 @@ TEST_F(CompareInTheWindow, AParkedCursorIsSolvedAgainWhileLiveGoesOn) {
   EXPECT_EQ(desk().shown()->task.b->velocity_weight, 2);
   EXPECT_EQ(window().ticker().playback().cursor_s, parked_s);
   EXPECT_TRUE(until([before] { return live().index > before; }));
+}
+
+/// The ghosts of the comparison stayed over the take.
+TEST_F(CompareInTheWindow, AComparisonOfAFrameIsNotShownOverATakeOfTheLibrary) {
+  window().ticker().seek(live().time_s);
+  window().document().changeSetting("velocity-weight", "2");
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
+  auto& subjects = *window().findChild<AnnotationDesk*>();
+  subjects.showSubject(subjects.library()->takes().front().name);
+  EXPECT_TRUE(until([] { return !desk().shown(); }));
+  subjects.showSubject("");
+  EXPECT_TRUE(until([] { return desk().shown() != nullptr; })) << "and is there again";
 }
 
 TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {

@@ -119,6 +119,9 @@ QListView { background: %2; border: 1px solid %4; outline: 0; }
 QListView#bare { background: transparent; border: none; }
 QListView::item { padding: 4px 8px; }
 QListView::item:selected { background: %7; color: #ffffff; }
+QListView::indicator, QTreeView::indicator { width: 12px; height: 12px; background: %1; border: 1px solid %6; border-radius: 3px; }
+QListView::indicator:checked, QTreeView::indicator:checked { background: %7; border-color: %7; image: url(:/abrazo/icons/check.svg); }
+QListView::indicator:selected, QTreeView::indicator:selected { border-color: #ffffff; }
 )";
 
 /// Themes differ in colours only. Qt would tell every widget of a new style, and lay out and measure all of

@@ -94,7 +94,11 @@ CompareSituation ComparisonDesk::situation() const {
 }
 
 void ComparisonDesk::refresh() {
-  if (!m_document.session() || !m_ticker.history() || m_document.session()->looksElsewhere()) return;
+  if (!m_document.session() || !m_ticker.history()) return;
+  if (m_document.session()->looksElsewhere()) {  // a take was not solved
+    m_shown.reset();
+    return showGhosts();
+  }
   if (m_ticker.playback().state == Playback::State::Following) m_document.tryPin({});
   const CompareSituation now = situation();
   const double cursor_s = now.shown ? now.shown->time_s : 0;

@@ -168,7 +168,7 @@ QWidget* BuildDialog::makeOutputs() {
 QWidget* BuildDialog::makeFoot() {
   auto* foot = new QWidget(this);
   auto* row = widgets::row_in(foot);
-  auto* add = new QPushButton("Add files…", foot);
+  m_add = new QPushButton("Add files…", foot);
   m_state = new QLabel(foot);
   m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_state->setWordWrap(true);
@@ -179,13 +179,12 @@ QWidget* BuildDialog::makeFoot() {
   m_progress->hide();
   m_cancel = new QPushButton("Close", foot);
   m_build = new QPushButton("Build", foot);
-  m_build->setDefault(true);
-  row->addWidget(add);
+  row->addWidget(m_add);
   row->addWidget(m_state, 1);
   row->addWidget(m_progress);
   row->addWidget(m_cancel);
   row->addWidget(m_build);
-  connect(add, &QPushButton::clicked, this, &BuildDialog::chooseFiles);
+  connect(m_add, &QPushButton::clicked, this, &BuildDialog::chooseFiles);
   return foot;
 }
 
@@ -258,6 +257,7 @@ void BuildDialog::showPlan() {
   m_remarks->setVisible(m_remarks->count() > 0);
   m_labels->setText(QString::fromStdString(m_model.plan().labels.string()));
   m_build->setEnabled(!m_busy && m_model.canBuild());
+  (m_model.rowCount() > 0 ? m_build : m_add)->setDefault(true);
   if (m_model.rowCount() > 0 && chosenRows().empty()) m_table->selectRow(0);
   showUserRow();
   showChosen();
