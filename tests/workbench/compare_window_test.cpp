@@ -92,6 +92,22 @@ TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
       << "what was tried comes when the live solver is let go";
 }
 
+/// They stayed, and were those of the session's frame at the same time.
+TEST_F(CompareInTheWindow, ATakeThatIsAnnotatedHasNoGhostsOfTheSession) {
+  window().ticker().seek(live().time_s);
+  ASSERT_TRUE(until([] { return window().ticker().playback().state == State::Parked; }));
+  const double parked_s = window().ticker().playback().cursor_s;
+  window().document().changeSetting("velocity-weight", "2");
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
+  ASSERT_TRUE(until([] { return window().scene().showsComparison(); }));
+  const auto& takes = window().session()->material().library->takes();
+  window().requestSubject(QString::fromStdString(takes.front().name));
+  window().ticker().seek(parked_s);
+  EXPECT_TRUE(until([] { return !window().scene().showsComparison(); }));
+  window().requestSubject("");
+  EXPECT_TRUE(until([] { return window().scene().showsComparison(); })) << "they are there again";
+}
+
 TEST_F(CompareInTheWindow, SwapAndAdoptAreOneStepOfUndoEach) {
   trigger("Freeze the settings as A");
   window().document().changeSetting("velocity-weight", "2");

@@ -165,7 +165,9 @@ void ComparisonDesk::choose(const CompareSituation& now) {
 void ComparisonDesk::showGhosts() {
   const FrameSnapshotPtr& shown = m_ticker.shown();
   std::optional<PairPose> a, b;
-  if (m_shown && shown) {
+  // A take that is looked at has times of its own.
+  const bool is_of_session = m_document.session() && !m_document.session()->looksElsewhere();
+  if (m_shown && shown && is_of_session) {
     // Recorded bodies are drawn already.
     const ComparisonTask& task = m_shown->task;
     if (task.a && m_shown->a) a = pose_at(*m_shown->a, *shown);

@@ -92,7 +92,7 @@ class BuildDialog : public QDialog {
   QToolButton* m_userButtons[2] = {nullptr, nullptr};
   QLineEdit *m_name = nullptr, *m_labels = nullptr, *m_library = nullptr, *m_manifest = nullptr;
   QProgressBar* m_progress;
-  QPushButton *m_build = nullptr, *m_cancel = nullptr;
+  QPushButton *m_add = nullptr, *m_build = nullptr, *m_cancel = nullptr;
   widgets::Palette m_palette;
   bool m_busy = false;
 };
