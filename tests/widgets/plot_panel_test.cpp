@@ -263,6 +263,21 @@ TEST_F(Plots, TheHeightDoesNotJumpWithWhatComesIn) {
   }
 }
 
+/// Recorded takes are not solved. Their axes said "7.5·10⁻⁷".
+TEST(PlotPane, WhereAllIsZeroTheAxisHasNumbersThatCanBeRead) {
+  PlotPane pane(nullptr);
+  pane.resize(300, 160);
+  SampleTable table;
+  PlotView view;
+  view.to_s = 5;
+  for (const Series series :
+       {Series::DeformationEnergy, Series::FootLock, Series::TotalCost, Series::BoneLength}) {
+    pane.setSeries({series});
+    pane.draw(table, view);
+    EXPECT_EQ(pane.upperEnd(), 1) << info_of(series).name;
+  }
+}
+
 TEST_F(Plots, OnlyHeadsStayWhereThePanelIsLow) {
   panel.resize(930, 40);
   EXPECT_TRUE(panel.pane(0).isCollapsed());

@@ -60,6 +60,25 @@ TEST(ScalarLegend, IsEmptyBeforeTheFirstScale) {
   EXPECT_GT(colours(), 8U);
 }
 
+/// The end of the scale could not be read in front of a head.
+TEST(ScalarLegend, IsReadableOverABody) {
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    const Palette& palette = palette_of(theme);
+    for (const QColor& body : {palette.active, palette.passive, palette.secondary}) {
+      QWidget ground;
+      ground.setStyleSheet("background: " + body.name());
+      ground.resize(220, 90);
+      ScalarLegend legend(&ground);
+      legend.setColours(palette);
+      ground.show();
+      legend.show(scalar_legend(MeshScalar::Residual, {20}, false));
+      const QPoint beside_the_low_end(80, 49);
+      EXPECT_GT(contrast(palette.secondary, ground.grab().toImage().pixelColor(beside_the_low_end)), 3)
+          << body.name().toStdString() << " in the " << (palette.dark ? "dark" : "light") << " theme";
+    }
+  }
+}
+
 TEST(ScalarLegend, HasNoButtonsInAPicture) {
   ScalarLegend legend(nullptr);
   const auto buttons = [&legend] {

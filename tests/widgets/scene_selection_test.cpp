@@ -8,6 +8,7 @@
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/pick/part_table_view.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -22,6 +23,21 @@ using test::difference;
 using test::picture_of;
 using test::pixels_of_hue;
 using test::synthetic_frame;
+
+TEST(PartTableView, ShowsMillimetresAndSharesToTheHundredthAndMetresToATenthOfAMillimetre) {
+  PartTableView table;
+  table.setKind(TableOf::Edges);
+  table.showFrame(synthetic_frame(1, 0.1), nullptr);
+  const QStringList lines = table.copied().split('\n', Qt::SkipEmptyParts);
+  ASSERT_GT(lines.size(), 1);
+  const QStringList names = lines[0].split('\t'), values = lines[1].split('\t');
+  ASSERT_EQ(names.size(), values.size());
+  for (int column = 1; column < names.size(); ++column) {
+    if (values[column] == "–") continue;
+    const int decimals = names[column].contains("[mm]") || names[column].contains("[%]") ? 2 : 4;
+    EXPECT_EQ(values[column].section('.', 1).size(), decimals) << names[column].toStdString();
+  }
+}
 
 TEST(SceneView, SelectsTheJointThatIsClickedAndKeepsItInOtherFrames) {
   Scene scene({ScenePart::Joints});

@@ -115,6 +115,40 @@ TEST(SettingsPanel, DraggingWithTheMouseIsOneStepOfUndo) {
   EXPECT_EQ(p.steps.size(), 2U) << "two drags";
 }
 
+/// It stayed, and was refused again whenever the field lost the focus.
+TEST(SettingsPanel, ABodyThatIsRefusedIsRefusedOnceAndTakenBack) {
+  ShownPanel p;
+  p.show();
+  QLineEdit& body = p.field("active-body");
+  body.setFocus();
+  body.selectAll();
+  QTest::keyClicks(&body, "scale:9");
+  QTest::keyClick(&body, Qt::Key_Return);
+  EXPECT_TRUE(p.mistake.contains("scale")) << p.mistake.toStdString();
+  EXPECT_EQ(body.text(), "library");
+  p.mistake.clear();
+  body.clearFocus();
+  EXPECT_EQ(p.mistake, "");
+  body.setFocus();
+  body.selectAll();
+  QTest::keyClicks(&body, "scale:0.8");
+  QTest::keyClick(&body, Qt::Key_Return);
+  EXPECT_EQ(p.settings().active_body.scale, 0.8) << "not what the list has that begins like it";
+  EXPECT_EQ(p.steps.size(), 1U);
+}
+
+TEST(SettingsPanel, TheFileOfABodyCanBeChosen) {
+  ShownPanel p;
+  QSignalSpy asked(&p.panel, &SettingsPanel::fileRequested);
+  for (const char* key : {"active-body", "passive-body"}) {
+    auto* choose = p.row(key).findChild<QToolButton*>();
+    ASSERT_TRUE(choose) << key;
+    choose->click();
+    ASSERT_EQ(asked.count(), 1);
+    EXPECT_EQ(asked.takeFirst().front().toString(), key);
+  }
+}
+
 TEST(SettingsPanel, ADragThatEndsWhereItBeganIsNoStep) {
   ShownPanel p;
   const int home = static_cast<int>(p.slider("alpha").handleX());

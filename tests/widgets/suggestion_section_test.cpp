@@ -9,6 +9,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "widgets/annotation/annotation_panel.hpp"
+
 namespace abrazo::widgets::suggestion_section_test {
 namespace {
 
@@ -31,6 +33,31 @@ TEST(SuggestionRows, HaveTheSurestFirst) {
   EXPECT_EQ(rows[2].confidence, 0.5);
   EXPECT_EQ(words_of(rows[0]), "0:01.00 – 0:02.00   kick   90 %");
   EXPECT_EQ(rows[0].tier_name, "move");
+}
+
+/// Buttons that are not whole in the panel.
+QStringList cut_in(const QWidget& panel) {
+  QStringList cut;
+  for (const QToolButton* button : panel.findChildren<QToolButton*>())
+    if (button->isVisible() && !button->text().isEmpty() &&
+        (button->mapTo(&panel, QPoint(button->width(), 0)).x() > panel.width() ||
+         button->width() < button->sizeHint().width()))
+      cut << button->text();
+  return cut;
+}
+
+/// The menu of label files was cut at the edge of the panel.
+TEST(AnnotationPanel, IsNotCutInANarrowColumn) {
+  for (const int width : {300, 340, 406}) {  // of the right column in windows of several sizes
+    AnnotationPanel panel;
+    panel.addSection(new SuggestionSection);
+    panel.resize(width, 700);
+    panel.setVisible(true);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    // The height of rows that go on in another line is settled in turns.
+    EXPECT_TRUE(QTest::qWaitFor([&panel] { return cut_in(panel).isEmpty(); }))
+        << cut_in(panel).join(", ").toStdString() << " at a width of " << width;
+  }
 }
 
 TEST(SuggestionRows, OfAtLeastAConfidenceComeInOrderOfTime) {

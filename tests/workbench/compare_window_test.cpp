@@ -8,7 +8,6 @@
 #include <QTest>
 
 #include "app/workbench/compare/comparison_desk.hpp"
-#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/compare/compare_panel.hpp"
@@ -79,18 +78,6 @@ TEST_F(CompareInTheWindow, AParkedCursorIsSolvedAgainWhileLiveGoesOn) {
   EXPECT_TRUE(until([before] { return live().index > before; }));
 }
 
-/// The ghosts of the comparison stayed over the take.
-TEST_F(CompareInTheWindow, AComparisonOfAFrameIsNotShownOverATakeOfTheLibrary) {
-  window().ticker().seek(live().time_s);
-  window().document().changeSetting("velocity-weight", "2");
-  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
-  auto& subjects = *window().findChild<AnnotationDesk*>();
-  subjects.showSubject(subjects.library()->takes().front().name);
-  EXPECT_TRUE(until([] { return !desk().shown(); }));
-  subjects.showSubject("");
-  EXPECT_TRUE(until([] { return desk().shown() != nullptr; })) << "and is there again";
-}
-
 TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
   trigger("Freeze the settings as A");
   trigger("Live keeps A");
@@ -103,6 +90,22 @@ TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
   trigger("Live keeps A");
   EXPECT_TRUE(until([] { return live().settings.velocity_weight == 2; }))
       << "what was tried comes when the live solver is let go";
+}
+
+/// They stayed, and were those of the session's frame at the same time.
+TEST_F(CompareInTheWindow, ATakeThatIsAnnotatedHasNoGhostsOfTheSession) {
+  window().ticker().seek(live().time_s);
+  ASSERT_TRUE(until([] { return window().ticker().playback().state == State::Parked; }));
+  const double parked_s = window().ticker().playback().cursor_s;
+  window().document().changeSetting("velocity-weight", "2");
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
+  ASSERT_TRUE(until([] { return window().scene().showsComparison(); }));
+  const auto& takes = window().session()->material().library->takes();
+  window().requestSubject(QString::fromStdString(takes.front().name));
+  window().ticker().seek(parked_s);
+  EXPECT_TRUE(until([] { return !window().scene().showsComparison(); }));
+  window().requestSubject("");
+  EXPECT_TRUE(until([] { return window().scene().showsComparison(); })) << "they are there again";
 }
 
 TEST_F(CompareInTheWindow, SwapAndAdoptAreOneStepOfUndoEach) {

@@ -18,6 +18,8 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QThread>
 #include <QTimer>
 #include <QToolButton>
@@ -124,6 +126,43 @@ TEST_F(ExportWindow, TheMenuOpensTheDialogOfWhatThereIs) {
   EXPECT_TRUE(dialog().isVisible());
   EXPECT_GT(box("Of").count(), 1) << "the session and the takes of its library";
   EXPECT_TRUE(estimate().contains("frames, about")) << estimate().toStdString();
+  dialog().hide();
+}
+
+TEST_F(ExportWindow, NoTypeIsCut) {
+  dialog().show();
+  const QString rigged = rig();
+  for (const QString& performed : {QString(), rigged})
+    for (int what = 0; what < box("What").count(); ++what) {
+      character().setText(performed);
+      box("What").setCurrentIndex(what);
+      turn();
+      QStyleOptionComboBox look;
+      look.initFrom(&box("As"));
+      const QRect room = box("As").style()->subControlRect(QStyle::CC_ComboBox, &look,
+                                                           QStyle::SC_ComboBoxEditField, &box("As"));
+      for (int type = 0; type < box("As").count(); ++type) {
+        const QString words = box("As").itemText(type);
+        EXPECT_LE(box("As").fontMetrics().horizontalAdvance(words), room.width()) << words.toStdString();
+      }
+    }
+  character().clear();
+  dialog().hide();
+}
+
+TEST_F(ExportWindow, LabelsHaveFramesOnlyInATable) {
+  dialog().show();
+  auto* rate = dialog().findChild<QDoubleSpinBox*>("Rate");
+  choose("What", 2);
+  choose("As", ".eaf");
+  EXPECT_FALSE(rate->isVisible());
+  EXPECT_TRUE(estimate().startsWith("About ")) << estimate().toStdString();
+  rate->setValue(30);
+  EXPECT_EQ(dialog().request().wish.rate_hz, 0);
+  choose("As", ".csv");
+  EXPECT_TRUE(rate->isVisible());
+  EXPECT_EQ(dialog().request().wish.rate_hz, 30);
+  rate->setValue(0);
   dialog().hide();
 }
 

@@ -18,6 +18,7 @@
 #include "app/workbench/library/import_rules_dialog.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "app/workbench/library/marker_table.hpp"
+#include "app/workbench/project/project_desk.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "core/motion/scenes/glb_writer.hpp"
@@ -160,6 +161,33 @@ TEST_F(ImportPanelTest, AFileThatIsReadWithDoubtsIsAskedAboutAndChangesNothingUn
   ASSERT_TRUE(until([] { return !panel(); }));
   EXPECT_EQ(QString::fromStdString(open().input.name), before);
   EXPECT_TRUE(QDir(remembered().importRuleFolder()).isEmpty()) << "nothing is remembered either";
+}
+
+/// It was asked before the panel was there, and again when the panel was accepted.
+TEST_F(ImportPanelTest, WorkThatWouldBeLostIsAskedAboutOnceAndAfterThePanel) {
+  auto& project = *window().findChild<ProjectDesk*>();
+  int asked = 0;
+  ProjectDesk::Answer answer = ProjectDesk::Answer::Cancel;
+  project.ask = [&] { return ++asked, answer; };
+  project.setAsks(true);
+  window().document().changeSetting("alpha", "0.23");
+  const std::string before = open().input.name;
+  window().openFiles({walk("late_1.bvh")});
+  ASSERT_TRUE(shows());
+  EXPECT_EQ(asked, 0) << "nothing is lost yet";
+  panel()->setRemembers(false);
+  click("Import");
+  ASSERT_TRUE(until([&] { return asked == 1; }));
+  turn();
+  EXPECT_EQ(open().input.name, before) << "cancelled";
+  answer = ProjectDesk::Answer::Discard;
+  window().openFiles({walk("late_1.bvh")});
+  ASSERT_TRUE(shows());
+  panel()->setRemembers(false);
+  click("Import");
+  EXPECT_TRUE(until([] { return open().input.name == "late_1"; }));
+  EXPECT_EQ(asked, 2) << "once for each";
+  project.setAsks(false);
 }
 
 TEST_F(ImportPanelTest, WhatIsSaidIsSeenAtOnceImportedAndDoneForFilesAlike) {

@@ -125,6 +125,15 @@ TEST_F(ProjectActions, AChangeIsSeenAtOnceAndItsUndoToo) {
   EXPECT_FALSE(window().isWindowModified());
 }
 
+TEST_F(ProjectActions, AFileThatCannotBeOpenedAsksNothing) {
+  window().document().changeSetting("alpha", "0.32");
+  QSignalSpy failed(&window(), &MainWindow::failed);
+  window().openFiles({file("not there.bvh")});
+  ASSERT_TRUE(until([&] { return failed.count() == 1; }));
+  EXPECT_EQ(asked, 0) << "nothing would have been lost";
+  EXPECT_TRUE(window().isWindowModified());
+}
+
 TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
   const std::string take = window().session()->material().library->takes().front().name;
   annotations().showSubject(take);

@@ -198,6 +198,16 @@ TEST_F(Shell, AnErrorComesBackAfterWhatLeavesByItself) {
   EXPECT_FALSE(log->text().contains("Opening"));
 }
 
+TEST_F(Shell, ARefusedSettingIsNamedAsInThePanelAndItsErrorLeavesWithTheNextValue) {
+  widgets::MessageBar& bar = window().messages();
+  const auto before = bar.openErrors().size();
+  window().document().changeSetting("alpha", "much");
+  EXPECT_TRUE(bar.text().startsWith("temporal smoothness: ")) << bar.text().toStdString();
+  EXPECT_EQ(bar.openErrors().size(), before + 1);
+  window().document().changeSetting("alpha", "0.37");
+  EXPECT_EQ(bar.openErrors().size(), before);
+}
+
 TEST_F(Shell, AWindowClosedWhileItLoadsGoesWithoutAQuestion) {
   MainWindow other(remembered());
   add_all_actions(other);

@@ -114,6 +114,21 @@ TEST_F(StreamActions, WhenTheSenderStopsABadgeSaysSo) {
       until([] { return notice().contains("Nothing comes in") || notice().contains("Tracking lost"); }));
 }
 
+/// It has another port then, and is another performer. The first was looked for, whose tracking stayed lost.
+TEST_F(StreamActions, ASenderThatIsStartedAgainPlaysTheUserAgain) {
+  const QString to = listen();
+  QString first;
+  {
+    const StreamedPerformer performer(clip(), to);
+    ASSERT_TRUE(receives());
+    first = desk().user();
+  }
+  ASSERT_TRUE(until([] { return !notice().isEmpty(); }));
+  const StreamedPerformer again(clip(), to);
+  ASSERT_TRUE(until([&] { return desk().user() != first; })) << first.toStdString();
+  EXPECT_TRUE(until([] { return notice().isEmpty(); })) << notice().toStdString();
+}
+
 TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {
   {
     const StreamedPerformer performer(clip(), listen());

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QSplitter>
 #include <QThread>
 
 #include "app/workbench/document/open_video.hpp"
@@ -87,6 +88,20 @@ class Video : public DemoWindow {
   static inline CameraModel s_camera;
   static inline QString s_file;
 };
+
+/// In a low column they were beside the picture, and cut.
+TEST_F(Video, TheSectionsAreBesideThePictureOnlyWhereBothHaveRoom) {
+  widgets::VideoPanel wide;
+  const auto beside = [&wide](int width, int height) {
+    wide.resize(width, height);
+    turn();
+    return wide.findChild<QSplitter*>()->orientation() == Qt::Horizontal;
+  };
+  wide.show();
+  EXPECT_FALSE(beside(332, 200));
+  EXPECT_FALSE(beside(700, 600)) << "it is high enough";
+  EXPECT_TRUE(beside(700, 300));
+}
 
 TEST_F(Video, OpensBesideTheSessionAndShowsItsPanel) {
   open();

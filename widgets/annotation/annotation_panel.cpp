@@ -20,6 +20,7 @@
 #include "widgets/annotation/tier_list.hpp"
 #include "widgets/annotation/vocabulary_editor.hpp"
 #include "widgets/common/chip.hpp"
+#include "widgets/common/flow_row.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -97,7 +98,7 @@ QWidget* AnnotationPanel::makeSubject() {
 
 QWidget* AnnotationPanel::makeConflict() {
   auto* box = new QWidget(this);
-  auto* row = row_in(box, {}, 4);
+  auto* row = new FlowRow(box, 4);
   row->addWidget(quiet_label("Overlapping labels", box, 12));
   m_conflict = new QButtonGroup(this);
   const std::tuple<const char*, const char*, Conflict> ways[] = {
@@ -111,14 +112,13 @@ QWidget* AnnotationPanel::makeConflict() {
     m_conflict->addButton(each, static_cast<int>(way));
     row->addWidget(each);
   }
-  row->addStretch(1);
   return box;
 }
 
 QWidget* AnnotationPanel::makeLists() {
   auto* box = new QWidget(this);
   auto* column = column_in(box, {}, 6);
-  auto* row = nested_row({}, 4);
+  auto* row = new FlowRow(nullptr, 4);
   m_lists = new QButtonGroup(this);
   m_stack = new QStackedWidget(box);
   m_table = new QTableWidget(0, 5, box);
@@ -144,7 +144,6 @@ QWidget* AnnotationPanel::makeLists() {
     m_lists->addButton(each, m_stack->addWidget(list));
     row->addWidget(each);
   }
-  row->addStretch(1);
   m_coverage = quiet_label({}, box, 12);
   m_lists->button(0)->setChecked(true);
   column->addLayout(row);

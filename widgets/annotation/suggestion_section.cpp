@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "widgets/common/chip.hpp"
+#include "widgets/common/flow_row.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
@@ -57,7 +58,7 @@ SuggestionSection::SuggestionSection(QWidget* parent)
 
 QWidget* SuggestionSection::makeButtons() {
   auto* bar = new QWidget(this);
-  auto* row = row_in(bar, {}, 4);
+  auto* row = new FlowRow(bar, 4);
   m_moves = chip("Labels", "Suggest labels for this take from the other takes", bar);
   m_roles = chip("Roles", "Suggest who is active in this take from the other takes", bar);
   m_cancel = chip("Cancel", "Stop suggesting", bar);
@@ -65,9 +66,7 @@ QWidget* SuggestionSection::makeButtons() {
   m_accept = chip("Accept", "Accept the chosen suggestion (A in the list)", bar);
   m_edit = chip("Edit", "Accept it with another value (E in the list)", bar);
   m_reject = chip("Reject", "Reject the chosen suggestion (X in the list)", bar);
-  for (QToolButton* button : {m_moves, m_roles, m_cancel}) row->addWidget(button);
-  row->addStretch(1);
-  for (QToolButton* button : {m_accept, m_edit, m_reject}) row->addWidget(button);
+  for (QToolButton* button : {m_moves, m_roles, m_cancel, m_accept, m_edit, m_reject}) row->addWidget(button);
   connect(m_moves, &QToolButton::clicked, this, [this] { emit suggestRequested(true, false); });
   connect(m_roles, &QToolButton::clicked, this, [this] { emit suggestRequested(false, true); });
   connect(m_cancel, &QToolButton::clicked, this, &SuggestionSection::cancelRequested);
@@ -79,7 +78,8 @@ QWidget* SuggestionSection::makeButtons() {
 
 QWidget* SuggestionSection::makeThreshold() {
   auto* bar = new QWidget(this);
-  auto* row = row_in(bar, {}, 6);
+  auto* column = column_in(bar, {}, 4);
+  auto* row = nested_row({}, 6);
   m_slider = new QSlider(Qt::Horizontal, bar);
   m_slider->setRange(0, 100);
   m_slider->setValue(usual_threshold);
@@ -89,8 +89,12 @@ QWidget* SuggestionSection::makeThreshold() {
   auto* clear = chip("Clear", "Remove all suggestions", bar);
   row->addWidget(m_slider, 1);
   row->addWidget(m_threshold);
-  row->addWidget(m_acceptAll);
-  row->addWidget(clear);
+  auto* buttons = new QWidget(bar);
+  auto* flow = new FlowRow(buttons, 4);
+  flow->addWidget(m_acceptAll);
+  flow->addWidget(clear);
+  column->addLayout(row);
+  column->addWidget(buttons);
   connect(m_slider, &QSlider::valueChanged, this, &SuggestionSection::count);
   connect(m_acceptAll, &QToolButton::clicked, this,
           [this] { emit acceptAllRequested(at_least(m_rows, threshold())); });

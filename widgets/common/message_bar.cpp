@@ -78,6 +78,11 @@ void MessageBar::succeed(const QString& job, const QString& text, bool is_shown_
   emit told(MessageKind::Information, text);
 }
 
+void MessageBar::withdrawErrorsOf(const QString& job) {
+  const auto gone = std::erase_if(m_errors, [&](const OpenError& error) { return error.job == job; });
+  if (gone > 0 && m_kind == MessageKind::Error) leave();
+}
+
 void MessageBar::showInformation(const QString& text) {
   present(MessageKind::Information, text);
   m_leave->start(information_ms);

@@ -33,6 +33,8 @@ class MessageBar : public QWidget {
   /// The job succeeded: its errors leave. @param text listed among the messages; shown as well unless another
   /// bar does
   void succeed(const QString& job, const QString& text, bool is_shown_elsewhere = false);
+  /// What the job's errors were about was changed: they leave, and nothing is told.
+  void withdrawErrorsOf(const QString& job);
   void showInformation(const QString& text);
   /// A single warning is shown in full; several as their number and the first, with all in the tooltip.
   void showWarnings(const QStringList& warnings);

@@ -24,11 +24,13 @@ constexpr int labelled_height = 84;  // minimum height of the curves for time la
 constexpr double zoom_step = 0.85;
 constexpr double pan_step = 0.2;  // of the span
 
+constexpr double nothing = 1e-6;  // in any unit: below it is what rounding leaves
+
 /// A value below what matters must not look large: the axis reaches at least this far.
 double least_reach(const PaneSeries& series) {
   if (series.empty()) return 1;
   const std::string_view unit = info_of(series.front()).unit;
-  return unit == "mm" ? 0.5 : unit == "%" ? 0.01 : unit == "ms" ? 0.01 : unit == "per 100" ? 1 : 1e-6;
+  return unit == "mm" ? 0.5 : unit == "%" ? 0.01 : unit == "ms" ? 0.01 : unit == "per 100" ? 1 : nothing;
 }
 
 }  // namespace
@@ -164,7 +166,10 @@ void PlotPane::fitHeight(const PlotView& view) {
   }
   m_upper.show(upper, view.to_s);
   m_lower.show(lower, view.to_s);
-  m_plot->yAxis->setRange(lower > 0 ? -m_lower.upper() : 0, std::max(m_upper.upper(), least_reach(m_series)));
+  // A recorded take is not solved, all its costs are 0: an axis to 1 has numbers that can be read.
+  const bool is_flat = m_upper.upper() < nothing && lower < nothing;
+  m_plot->yAxis->setRange(lower > 0 ? -m_lower.upper() : 0,
+                          is_flat ? 1 : std::max(m_upper.upper(), least_reach(m_series)));
 }
 
 /// The curves, and one mark for each run of values above the plot.

@@ -8,8 +8,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QToolButton>
 
 #include "core/base/text.hpp"
+#include "widgets/common/chip.hpp"
 #include "widgets/common/typeset.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/common/value_slider.hpp"
@@ -167,15 +169,21 @@ void SettingRow::buildBody() {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 3, 12, 3);
   m_body = new BodyBox(m_info.choices.find("user") != std::string_view::npos, this);
+  m_file = text_chip("…", "Measures the performer of a motion file", this);
+  m_file->setAccessibleName(text(m_info.title) + ": choose a file");
+  m_file->setAccessibleDescription(m_file->toolTip());
   row->addWidget(m_title, 1);
   row->addWidget(m_body);
+  row->addWidget(m_file);
   setFixedHeight(34);
   name(*m_body);
   name(*m_body->lineEdit());
   const auto ask = [this] {
     const QString typed = m_body->currentText().trimmed();
+    m_body->lineEdit()->setModified(false);  // a refusal restores what was there
     if (typed != m_bodyText) emit changed(key(), typed, 0);
   };
+  connect(m_file, &QToolButton::clicked, this, [this] { emit fileRequested(key()); });
   connect(m_body, qOverload<int>(&QComboBox::activated), this, ask);
   connect(m_body->lineEdit(), &QLineEdit::editingFinished, this, ask);
 }
@@ -217,7 +225,7 @@ void SettingRow::showApplies(const Settings& settings) {
   if (applies(settings, m_info.key) == m_applies) return;
   m_applies = !m_applies;
   for (QWidget* part :
-       std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice, m_body})
+       std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice, m_body, m_file})
     if (part) part->setEnabled(m_applies);
   QString help = QString::fromStdString(setting_tooltip(m_info));
   if (!m_applies)

@@ -9,6 +9,7 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QToolButton;
 
 namespace abrazo::widgets {
 
@@ -32,6 +33,8 @@ class SettingRow : public QWidget {
   /// @param gesture equal for all changes of one drag; 0 = single change
   void changed(const QString& key, const QString& text, int gesture);
   void sweepRequested(const QString& key);
+  /// A file is to be chosen as the value.
+  void fileRequested(const QString& key);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -57,6 +60,7 @@ class SettingRow : public QWidget {
   Toggle* m_toggle = nullptr;
   QComboBox* m_choice = nullptr;
   QComboBox* m_body = nullptr;
+  QToolButton* m_file = nullptr;
   QString m_bodyText;
   double m_number = 0;  ///< shown value
   QString m_defaultText;

@@ -111,6 +111,7 @@ QWidget* SettingsPanel::rowList() {
     m_groups.back().rows.push_back(m_rows.back());
     connect(m_rows.back(), &SettingRow::changed, this, &SettingsPanel::entryRequested);
     connect(m_rows.back(), &SettingRow::sweepRequested, this, &SettingsPanel::sweepRequested);
+    connect(m_rows.back(), &SettingRow::fileRequested, this, &SettingsPanel::fileRequested);
     column->addWidget(m_rows.back());
   }
   m_noMatch = new QLabel("No setting has these words.", list);

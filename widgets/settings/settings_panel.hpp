@@ -44,6 +44,8 @@ class SettingsPanel : public QWidget {
   /// @param what origin of the settings, for the undo list
   void settingsRequested(const abrazo::Settings& settings, const QString& what);
   void sweepRequested(const QString& key);
+  /// A motion file is to be chosen for a body. The answer is an entry.
+  void fileRequested(const QString& key);
 
  private:
   void refresh();

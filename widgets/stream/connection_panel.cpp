@@ -193,7 +193,8 @@ void ConnectionPanel::showPerformers() {
   }
   for (std::size_t i = 0; i < performers.size(); ++i) {
     const QString name = QString::fromStdString(performers[i].performer);
-    const bool is_user = m_user.isEmpty() ? i == 0 : name == m_user;
+    const QString user = m_user.isEmpty() ? QString::fromStdString(m_health.followed) : m_user;
+    const bool is_user = user.isEmpty() ? i == 0 : name == user;
     m_cards[i]->show(performers[i], is_user            ? PerformerPart::User
                                     : name == m_second ? PerformerPart::Second
                                                        : PerformerPart::None);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double wide_from = 1.5;  // times as wide as high: the sections go beside the picture
 constexpr int beside_width = 320, least_sections = 110;
+constexpr int least_picture = 280;  ///< width of a picture with something beside it: that of the step bar
 
 }  // namespace
 
@@ -126,7 +127,7 @@ QString VideoPanel::facts() const {
 /// The picture has priority: as wide as possible, unless the user moved the splitter.
 void VideoPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool wide = width() > wide_from * height();
+  const bool wide = width() > wide_from * height() && width() >= least_picture + beside_width;
   const Qt::Orientation wanted = wide ? Qt::Horizontal : Qt::Vertical;
   if (m_split->orientation() != wanted) {
     m_split->setOrientation(wanted);

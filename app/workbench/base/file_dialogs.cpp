@@ -15,6 +15,12 @@ QStringList ask_files(QWidget* parent, UserSettings& remembered, const QString& 
   return files;
 }
 
+QString ask_file(QWidget* parent, UserSettings& remembered, const QString& title, const QString& filter) {
+  const QString file = QFileDialog::getOpenFileName(parent, title, remembered.lastFolder(), filter);
+  if (!file.isEmpty()) remembered.setLastFolder(QFileInfo(file).absolutePath());
+  return file;
+}
+
 QString ask_new_file(QWidget* parent, UserSettings& remembered, const QString& title, const QString& name,
                      const QString& ending, const QString& filter) {
   const QString last = remembered.lastFolder();

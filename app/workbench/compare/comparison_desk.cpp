@@ -94,11 +94,7 @@ CompareSituation ComparisonDesk::situation() const {
 }
 
 void ComparisonDesk::refresh() {
-  if (!m_document.session() || !m_ticker.history()) return;
-  if (m_document.session()->looksElsewhere()) {  // a take was not solved
-    m_shown.reset();
-    return showGhosts();
-  }
+  if (!m_document.session() || !m_ticker.history() || m_document.session()->looksElsewhere()) return;
   if (m_ticker.playback().state == Playback::State::Following) m_document.tryPin({});
   const CompareSituation now = situation();
   const double cursor_s = now.shown ? now.shown->time_s : 0;
@@ -169,7 +165,9 @@ void ComparisonDesk::choose(const CompareSituation& now) {
 void ComparisonDesk::showGhosts() {
   const FrameSnapshotPtr& shown = m_ticker.shown();
   std::optional<PairPose> a, b;
-  if (m_shown && shown) {
+  // A take that is looked at has times of its own.
+  const bool is_of_session = m_document.session() && !m_document.session()->looksElsewhere();
+  if (m_shown && shown && is_of_session) {
     // Recorded bodies are drawn already.
     const ComparisonTask& task = m_shown->task;
     if (task.a && m_shown->a) a = pose_at(*m_shown->a, *shown);

@@ -73,6 +73,9 @@ void Document::changeSetting(const QString& key, const QString& text, int gestur
         next = measured.error();
         break;
       }
+  // The window has no option of the command line, where the setting is "--alpha".
+  if (!next && next.error().where == "--" + name)
+    next = Error{next.error().message, title_of(name).toStdString(), next.error().hint};
   const QString what =
       next ? title_of(name) + " to " + QString::fromStdString(setting_text(next->settings, name)) : QString();
   take(next, what, key, gesture);

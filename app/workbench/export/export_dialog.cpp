@@ -39,6 +39,9 @@ constexpr std::array<TypeWords, 14> type_words = {{
     {".svg", "Drawing (.svg)"},
 }};
 
+constexpr const char* character_glb = "glTF binary (.glb): the character, a file for each body";
+constexpr const char* character_vrm = "VRM (.vrm): the character, a file for each body";
+
 QString type_words_of(const QString& ending) {
   for (const TypeWords& type : type_words)
     if (ending == type.ending) return type.words;
@@ -57,6 +60,17 @@ QComboBox* combo(QWidget* parent, const char* name) {
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(44);
   return box;
+}
+
+/// So wide that no type is cut, whichever of them are listed.
+void make_room_for_types(QComboBox& box) {
+  QStringList all = {character_glb, character_vrm};
+  for (const TypeWords& type : type_words) all << type.words;
+  box.addItems(all);
+  box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  box.ensurePolished();
+  box.setMinimumWidth(box.sizeHint().width());
+  box.clear();
 }
 
 /// Chooses the entry with this data, if any.
@@ -95,6 +109,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_character = new CharacterField(this);
   m_part = combo(this, "Part");
   m_type = combo(this, "As");
+  make_room_for_types(*m_type);
   m_rate = new QDoubleSpinBox(this);
   m_rate->setObjectName("Rate");
   m_rate->setAccessibleName("Frames per second");
@@ -205,6 +220,12 @@ bool ExportDialog::hasSpace() const {
   return what() == Motion && !isPerformed() && m_type->currentData().toString() != ".glb";
 }
 
+/// Of labels only a table counts frames.
+bool ExportDialog::hasRate() const {
+  const bool is_counted = what() != Labels || m_type->currentData().toString() == ".csv";
+  return what() != Plots && what() != Trace && m_part->currentData().toString() != "frame" && is_counted;
+}
+
 void ExportDialog::setFolder(const QString& folder) {
   m_character->setFolder(folder);
 }
@@ -217,8 +238,8 @@ void ExportDialog::showTypes() {
   if (what() == Plots) {
     for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(type_words_of(ending), ending);
   } else if (isPerformed()) {
-    m_type->addItem("glTF binary (.glb): the character, a file for each body", ".glb");
-    m_type->addItem("VRM (.vrm): the character, a file for each body", ".vrm");
+    m_type->addItem(character_glb, ".glb");
+    m_type->addItem(character_vrm, ".vrm");
   } else {
     auto endings = export_types(static_cast<ExportContent>(what()));
     if (what() == Motion) endings = {".glb", ".bvh", ".csv", ".npz", ".npy"};  // what most people want first
@@ -256,7 +277,7 @@ ExportRequest ExportDialog::request() const {
     wish.at_s = m_offer.cursor_s;
   else if (m_part->currentData().toString() != "all" || what() == Mesh)
     wish.part = {{}, part().from_s, part().to_s};
-  if (what() != Trace) wish.rate_hz = m_rate->value();
+  if (hasRate()) wish.rate_hz = m_rate->value();
   if (isPerformed()) wish.character = m_character->file().toStdString();
   if (hasSpace())
     wish.space = {m_unit->currentData().toDouble(), m_up->currentData().toBool() ? UpAxis::Z : UpAxis::Y};
@@ -285,12 +306,11 @@ QString ExportDialog::trouble(const ExportRequest& request) const {
 void ExportDialog::settle() {
   if (m_filling) return;
   const What kind = what();
-  const bool is_frame = m_part->currentData().toString() == "frame";
   showRow(m_bodies, kind == Motion);
   showRow(m_character, kind == Motion);
   showRow(m_part, kind != Plots);
   showRow(m_source, kind != Plots);
-  showRow(m_rate, kind != Plots && kind != Trace && !is_frame);
+  showRow(m_rate, hasRate());
   showRow(m_unit, hasSpace());
   showRow(m_up, hasSpace());
   ExportRequest chosen = request();
@@ -300,11 +320,12 @@ void ExportDialog::settle() {
   m_about->setVisible(!why_not.isEmpty());
   m_export->setEnabled(why_not.isEmpty());
   const auto estimate = estimate_export(chosen.wish, part().length_s(), stretch().rate_hz);
-  m_estimate->setText(chosen.plots ? QString("The panes of the panel Plots")
-                                   : QString("%L1 %2, about %3")
-                                         .arg(estimate.frames)
-                                         .arg(estimate.frames == 1 ? "frame" : "frames")
-                                         .arg(size_words(estimate.bytes)));
+  m_estimate->setText(chosen.plots     ? QString("The panes of the panel Plots")
+                      : kind == Labels ? "About " + size_words(estimate.bytes)
+                                       : QString("%L1 %2, about %3")
+                                             .arg(estimate.frames)
+                                             .arg(estimate.frames == 1 ? "frame" : "frames")
+                                             .arg(size_words(estimate.bytes)));
 }
 
 QStringList ExportDialog::choices() const {

@@ -66,6 +66,7 @@ class ExportDialog : public QDialog {
   Playback::Range part() const;
   bool isPerformed() const;
   bool hasSpace() const;
+  bool hasRate() const;
   QString trouble(const ExportRequest& request) const;
   void sourceChanged();
   void showTypes();

@@ -58,7 +58,7 @@ std::span<const CommandWords> command_words() {
 }
 
 int command_match(const QString& typed, const QString& id, const QString& text, const QString& menu) {
-  constexpr int by_text = 4000, by_meaning = 3000, by_menu = 1000, inside = 500;
+  constexpr int by_name = 10000, by_text = 4000, by_meaning = 3000, by_menu = 1000, inside = 500;
   QStringList other;
   int place = 0;  // what stands first among the other words comes first where the rest is equal
   for (std::size_t i = 0; i < other_words.size(); ++i)
@@ -78,6 +78,8 @@ int command_match(const QString& typed, const QString& id, const QString& text, 
     score += found;
   }
   if (score > 0 && text.startsWith(typed.trimmed(), Qt::CaseInsensitive)) score += inside;
+  if (own == words_of_text(typed))
+    score += by_name;  // "export" is "Export…" before all that export something
   return score;
 }
 

@@ -40,10 +40,11 @@ QString heading_link(const QString& heading) {
   return link;
 }
 
-/// The overviews come first, then the pages of the window.
+/// The overview of the window comes first, which a person in it looks for, then that of the guide, which
+/// begins with the installation.
 int place_of_page(const QString& address) {
-  if (address == "qrc:/docs/guide/index.md") return 0;
-  if (address == "qrc:/docs/guide/workbench.md") return 1;
+  if (address == "qrc:/docs/guide/workbench.md") return 0;
+  if (address == "qrc:/docs/guide/index.md") return 1;
   if (address.startsWith("qrc:/docs/guide/workbench/")) return 2;
   return address.startsWith("qrc:/docs/guide/") ? 3 : 4;
 }
@@ -104,6 +105,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   m_field->setClearButtonEnabled(true);
   m_list->setAccessibleName("Pages of the guide");
   m_list->setFrameShape(QFrame::NoFrame);
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // a long title ends with "…"
   m_page->setAccessibleName("Page of the guide");
   m_page->setFrameShape(QFrame::NoFrame);
   m_page->setOpenLinks(false);
@@ -143,7 +145,8 @@ void HelpWindow::readPages() {
     QFile file(files.next());
     if (!file.open(QIODevice::ReadOnly)) continue;
     const QString words = QString::fromUtf8(file.readAll());
-    m_pages.push_back({words.section('\n', 0, 0).remove("# ").trimmed(), "qrc" + file.fileName(), words});
+    m_pages.push_back(
+        {words.section('\n', 0, 0).remove("# ").remove('`').trimmed(), "qrc" + file.fileName(), words});
   }
   std::sort(m_pages.begin() + 1, m_pages.end(), [](const Page& a, const Page& b) {
     const int first = place_of_page(a.address), second = place_of_page(b.address);

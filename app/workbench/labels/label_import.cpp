@@ -110,6 +110,7 @@ void LabelImport::finish(const QString& file, const TierDocument& document,
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (targets[i].way != TierTarget::Way::LeaveOut) labels += document.tiers[i].intervals.size();
   m_document.changeAnnotations(*next, "import of " + QFileInfo(file).fileName());
+  m_window.makeRoomForLanes();  // of new tiers
   QStringList told;
   for (const std::string& warning : document.warnings) told << text(warning);
   if (!told.isEmpty()) return m_window.messages().showWarnings(told);

@@ -168,7 +168,7 @@ QWidget* BuildDialog::makeOutputs() {
 QWidget* BuildDialog::makeFoot() {
   auto* foot = new QWidget(this);
   auto* row = widgets::row_in(foot);
-  m_add = new QPushButton("Add files…", foot);
+  auto* add = m_add = new QPushButton("Add files…", foot);
   m_state = new QLabel(foot);
   m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_state->setWordWrap(true);
@@ -179,12 +179,13 @@ QWidget* BuildDialog::makeFoot() {
   m_progress->hide();
   m_cancel = new QPushButton("Close", foot);
   m_build = new QPushButton("Build", foot);
-  row->addWidget(m_add);
+  m_build->setDefault(true);
+  row->addWidget(add);
   row->addWidget(m_state, 1);
   row->addWidget(m_progress);
   row->addWidget(m_cancel);
   row->addWidget(m_build);
-  connect(m_add, &QPushButton::clicked, this, &BuildDialog::chooseFiles);
+  connect(add, &QPushButton::clicked, this, &BuildDialog::chooseFiles);
   return foot;
 }
 
@@ -257,7 +258,7 @@ void BuildDialog::showPlan() {
   m_remarks->setVisible(m_remarks->count() > 0);
   m_labels->setText(QString::fromStdString(m_model.plan().labels.string()));
   m_build->setEnabled(!m_busy && m_model.canBuild());
-  (m_model.rowCount() > 0 ? m_build : m_add)->setDefault(true);
+  (m_model.rowCount() == 0 ? m_add : m_build)->setDefault(true);  // what Return does
   if (m_model.rowCount() > 0 && chosenRows().empty()) m_table->selectRow(0);
   showUserRow();
   showChosen();

@@ -103,6 +103,8 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes);
 void add_solve_actions(QMainWindow& window, Document& document);
 /// The user's own presets, and the settings of the shown frame.
 void add_preset_actions(MainWindow& window);
+/// A motion file as a body in the settings.
+void add_body_actions(MainWindow& window);
 /// The window for a sweep of two settings over the takes of the library.
 void add_sweep_actions(MainWindow& window);
 /// Connecting to a live stream, calibration, sinks; the panels Connection and Latency.

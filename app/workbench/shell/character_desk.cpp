@@ -1,10 +1,9 @@
 #include "app/workbench/shell/character_desk.hpp"
 
-#include <QFileDialog>
-#include <QFileInfo>
 #include <utility>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/base/user_settings.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/motion/scenes/read_worn_character.hpp"
@@ -28,12 +27,10 @@ CharacterDesk::CharacterDesk(MainWindow& window) : QObject(&window), m_window(wi
 }
 
 void CharacterDesk::choose(int body) {
-  const QString file = QFileDialog::getOpenFileName(
-      &m_window, body == 0 ? "A character for the leader" : "A character for the follower",
-      m_window.remembered().lastFolder(), "Characters (*.glb *.vrm);;All files (*)");
-  if (file.isEmpty()) return;
-  m_window.remembered().setLastFolder(QFileInfo(file).absolutePath());
-  wear(body, file.toStdString());
+  const QString file = ask_file(&m_window, m_window.remembered(),
+                                body == 0 ? "A character for the leader" : "A character for the follower",
+                                "Characters (*.glb *.vrm);;All files (*)");
+  if (!file.isEmpty()) wear(body, file.toStdString());
 }
 
 void CharacterDesk::wear(int body, const std::string& file) {

@@ -92,11 +92,13 @@ void show_document(MainWindow& window) {
   QObject::connect(&document, &Document::began, &window, [&window] { show_session(window); });
   QObject::connect(&document, &Document::opened, &window, [&window] { show_contents(window); });
   connect(window.timeline(), &TimelineView::markersRequested, &Document::changeMarkers);
-  QObject::connect(&document, &Document::changed, &window,
-                   [&window](ProjectPart part) { show_part(window, part); });
+  QObject::connect(&document, &Document::changed, &window, [&window](ProjectPart part) {
+    show_part(window, part);
+    if (part == ProjectPart::Settings) window.messages().withdrawErrorsOf("setting");
+  });
   QObject::connect(&document, &Document::refused, &window, [&window](const QString& why) {
     show_part(window, ProjectPart::Settings);  // restores the field
-    window.messages().showError(why);
+    window.messages().showErrorOf("setting", why);
   });
   QObject::connect(&document, &Document::libraryReplaced, &window,
                    [&window](const auto&, const auto& library) { show_library(window, library); });

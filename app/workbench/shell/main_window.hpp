@@ -48,8 +48,13 @@ class MainWindow : public QMainWindow {
 
   /// Runs on a worker and then replaces the session. @param make called on the worker
   using MakeMaterial = std::function<Result<Material>(const Progress&)>;
+  /// When the user is asked about work that the present session would lose. Saving changes a session file, so
+  /// for one it is before reading. Other files are read first: of one that cannot be opened, or has a
+  /// question of its own, nothing is lost yet.
+  enum class AsksToLeave { BeforeReading, BeforeStart };
   /// @param files source files, for the list of recent files
-  void openMaterial(MakeMaterial make, const QStringList& files = {});
+  void openMaterial(MakeMaterial make, const QStringList& files = {},
+                    AsksToLeave asks = AsksToLeave::BeforeReading);
   /// @param said  how to read their motion; none = by the rule for similar files, otherwise as found
   void openFiles(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
   void openDemo();
@@ -177,6 +182,8 @@ class MainWindow : public QMainWindow {
   FrameTicker m_ticker;
   std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the
                                          // destructor
+  /// @return false if the present session stays, or something else is opened or closed meanwhile
+  bool isLeft();
   LocateMissing m_locate;
   std::unique_ptr<Job> m_job;
 };

@@ -58,18 +58,24 @@ void MainWindow::openFiles(const QStringList& all, const std::optional<MotionRea
                    m_remembered.importRuleFolder().toStdString(),
                    m_locate};
   std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
-  openMaterial([wish = std::move(wish)](const Progress& progress) { return open_files(wish, progress); },
-               all);
+  const AsksToLeave asks = has(FileKind::Session) > 0 ? AsksToLeave::BeforeReading : AsksToLeave::BeforeStart;
+  openMaterial([wish = std::move(wish)](const Progress& progress) { return open_files(wish, progress); }, all,
+               asks);
 }
 
-void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
+bool MainWindow::isLeft() {
+  const Job* const opening = m_job.get();
   bool allowed = true;
-  emit leaving(allowed);
-  if (!allowed) return;
+  emit leaving(allowed);  // the answer, and saving, may take long
+  return allowed && m_job.get() == opening && !m_isStopping;
+}
+
+void MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksToLeave asks) {
+  if (asks == AsksToLeave::BeforeReading && !isLeft()) return;
   const Settings wanted = m_document->settings();
   Job::retire(std::move(m_job), this);
   const auto open =
-      [this, make = std::move(make), wanted, files,
+      [this, make = std::move(make), wanted, files, asks,
        maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
     if (!material && material.error().message == "cancelled") return {};
@@ -87,7 +93,11 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
     if (!prepared) return [this, why = words(prepared.error())] { fail(why); };
     // Shared only because std::function must be copyable.
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-    return [this, ready, files] {
+    return [this, ready, files, asks] {
+      if (asks == AsksToLeave::BeforeStart && !isLeft()) return;
+      // Saving may have written the library that stays open.
+      if (session() && session()->material().library == ready->material.library)
+        ready->material.library_file = session()->material().library_file;
       start(std::move(*ready));
       if (!files.isEmpty()) emit filesOpened(files);
     };

@@ -1,4 +1,3 @@
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
@@ -73,8 +72,7 @@ void export_settings(MainWindow& window) {
 }
 
 void import_settings(MainWindow& window) {
-  const QString file = QFileDialog::getOpenFileName(&window, "Import settings",
-                                                    window.remembered().lastFolder(), "Settings (*.json)");
+  const QString file = ask_file(&window, window.remembered(), "Import settings", "Settings (*.json)");
   if (file.isEmpty()) return;
   const auto settings = read_settings_file(file.toStdString(), window.document().settings());
   if (!settings) return window.messages().showError(words(settings.error()));

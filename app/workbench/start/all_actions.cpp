@@ -38,6 +38,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_video_actions(window, *films);
   add_solve_actions(window, window.document());
   add_preset_actions(window);
+  add_body_actions(window);
   add_sweep_actions(window);
   StreamDesk& streams = add_stream_actions(window);
   TakeDesk& takes = add_take_actions(window);

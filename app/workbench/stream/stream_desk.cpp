@@ -221,8 +221,10 @@ void StreamDesk::setSecond(const QString& performer) {
 
 const PerformerHealth* StreamDesk::userHealth() const {
   if (!m_health) return nullptr;
+  // Without a name it is the one that is followed: another, when the first stopped.
+  const std::string user = m_user.isEmpty() ? m_health->followed : m_user.toStdString();
   for (const PerformerHealth& one : m_health->performers)
-    if (m_user.isEmpty() || one.performer == m_user.toStdString()) return &one;
+    if (user.empty() || one.performer == user) return &one;
   return nullptr;
 }
 

@@ -1,6 +1,5 @@
 #include "app/workbench/video/camera_desk.hpp"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
@@ -214,8 +213,7 @@ void CameraDesk::removePick(int index) {
 // ---- files
 
 QString CameraDesk::askFile(bool saves, const QString& title, const QString& filter) {
-  const QString folder = m_window.remembered().lastFolder();
-  if (!saves) return QFileDialog::getOpenFileName(&m_window, title, folder, filter);
+  if (!saves) return ask_file(&m_window, m_window.remembered(), title, filter);
   return ask_new_file(&m_window, m_window.remembered(), title, "camera.json", ".json", filter);
 }
 

@@ -81,6 +81,7 @@ struct StreamHealth {
   std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest unreadable packet
   std::vector<std::string> senders;
   std::vector<PerformerHealth> performers;
+  std::string followed;  ///< performer whose poses are taken when none is named; empty before the first
   std::vector<IssueCount> issues;
   std::vector<StreamDiagnosis> diagnoses;  ///< most severe first
   std::vector<std::string> facts;

@@ -33,6 +33,7 @@ PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
                                       " stopped sending poses; name the performer to follow only that one",
                                   now_s);
     followed_ = chosen->name();
+    if (wanted_.empty()) pipeline.note_followed(followed_);
     followed_since_s_ = chosen->first_seen_s();
     cursor_ = chosen->buffer().now(now_s);
     break_pending_ = true;

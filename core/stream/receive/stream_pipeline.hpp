@@ -35,6 +35,8 @@ class StreamPipeline {
   void set_delay(double delay_s);
   std::optional<Endpoint> wanted_group() const { return decoder_->wanted_group(); }
 
+  /// Notes the performer whose poses are taken when none is named.
+  void note_followed(const std::string& performer) { counted_.followed = performer; }
   /// Notes a packet that was rejected because only `server` is accepted: neither read nor counted as a
   /// packet.
   void note_stranger(const Endpoint& stranger, const std::string& server, double now_s);

@@ -202,7 +202,7 @@ const std::vector<Entry>& entries() {
              "Paper 3.3.1 retargets after Gleicher 1998 without a statement on this."},
             &Settings::scale_root_path),
       body_entry(
-          {"active-body", "", "active body", "Bodies", "", Kind::Body, 0, 0, false,
+          {"active-body", "", "leader's body", "Bodies", "", Kind::Body, 0, 0, false,
            "library|user|scale:NUMBER|FILE",
            "Body that the active character is shown with.\n"
            "  library: the recorded performer's\n"
@@ -213,9 +213,9 @@ const std::vector<Entry>& entries() {
            "joints keep their relation, steps follow the legs. A change takes 1.5 s.\n"
            "Not in the paper: library."},
           &Settings::active_body),
-      body_entry({"passive-body", "", "passive body", "Bodies", "", Kind::Body, 0, 0, false,
+      body_entry({"passive-body", "", "follower's body", "Bodies", "", Kind::Body, 0, 0, false,
                   "library|scale:NUMBER|FILE",
-                  "Body that the passive character is shown with; see the active body.\n"
+                  "Body that the passive character is shown with; see the leader's body.\n"
                   "Not in the paper: library."},
                  &Settings::passive_body),
   };

@@ -318,6 +318,7 @@ TEST(StreamPipeline, AReaderOfAnyoneFollowsARestartedSenderButNotThePartner) {
   line.stand(test::standing_pose(), "10.0.0.1:5001", 3);
   const auto pose = reader.poll(line.pipeline, line.now_s);
   EXPECT_EQ(reader.performer(), "10.0.0.1:5001") << "came after the first had fallen silent";
+  EXPECT_EQ(line.pipeline.health(line.now_s).followed, "10.0.0.1:5001") << "and is told";
   ASSERT_TRUE(pose);
   EXPECT_TRUE(pose->discontinuous);
 

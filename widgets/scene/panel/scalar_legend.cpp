@@ -20,6 +20,7 @@ namespace {
 
 constexpr int bar_width = 168, lock_size = 20;
 constexpr int plain_height = 62, height_with_key = 80;
+constexpr double ground_share = 0.8;  ///< of the scene's colour behind it
 
 QToolButton* button(const QString& name, const QString& tip, QWidget* parent) {
   auto* made = new QToolButton(parent);
@@ -219,6 +220,13 @@ void ScalarLegend::showMenu(const QPoint& global) {
 void ScalarLegend::paintEvent(QPaintEvent*) {
   if (m_scale.title.isEmpty()) return;
   QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  // Over a body the words would have little contrast.
+  QColor ground = m_palette.scene_top;
+  ground.setAlphaF(ground_share);
+  painter.setBrush(ground);
+  painter.setPen(Qt::NoPen);
+  painter.drawRoundedRect(rect(), 6, 6);
   const QRectF bar(width() - bar_width - 4, 26, bar_width, 8);
   painter.setFont(interface_font(13));
   painter.setPen(m_palette.text);
@@ -229,7 +237,6 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
     gradient.setColorAt(
         stop / 8.0, colour(m_scale.is_diverging ? diverging_colour(stop / 8.0)
                                                 : sequential_colour(stop / 8.0, m_scale.map, m_scale.part)));
-  painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(gradient);
   painter.setPen(Qt::NoPen);
   painter.drawRoundedRect(bar, 2, 2);

@@ -22,11 +22,16 @@ namespace {
 constexpr int live_fill_ms = 500;
 constexpr int row_role = Qt::UserRole, number_role = Qt::UserRole + 1;
 
+/// As many as can be read; Copy has the same, the file all.
+int decimals_of(const QString& column) {
+  return column.contains("[mm]") || column.contains("[%]") ? 2 : 4;
+}
+
 /// Sorted by its number; what is none comes first.
 class NumberItem : public QTableWidgetItem {
  public:
-  explicit NumberItem(double value)
-      : QTableWidgetItem(std::isfinite(value) ? QString::number(value, 'f', 4) : QString("–")) {
+  NumberItem(double value, int decimals)
+      : QTableWidgetItem(std::isfinite(value) ? QString::number(value, 'f', decimals) : QString("–")) {
     setData(number_role, std::isfinite(value) ? value : -1e300);
     setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -124,7 +129,9 @@ void PartTableView::fill() {
     name->setData(row_role, row);
     m_table->setItem(row, 0, name);
     for (int column = 1; column < m_table->columnCount(); ++column)
-      m_table->setItem(row, column, new NumberItem(figures.values[static_cast<std::size_t>(column) - 1]));
+      m_table->setItem(
+          row, column,
+          new NumberItem(figures.values[static_cast<std::size_t>(column) - 1], decimals_of(names[column])));
   }
   m_table->setSortingEnabled(true);
   if (is_other_table) {

@@ -39,6 +39,8 @@ class SceneView : public QWidget {
   const WornPair& characters() const;
   const PartVisibility& visibility() const;
   MeshScalar scalar() const;
+  /// Whether the bodies of a comparison are there.
+  bool showsComparison() const;
   const OrbitCamera& camera() const;
   const SceneOptions& options() const;
   /// The shown selection; it persists in other frames, even if their mesh does not have it.

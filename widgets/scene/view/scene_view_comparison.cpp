@@ -11,4 +11,8 @@ void SceneView::showComparison(const std::optional<PairPose>& a, const std::opti
   render();
 }
 
+bool SceneView::showsComparison() const {
+  return m_parts->stage.ghosts.isThere();
+}
+
 }  // namespace abrazo::widgets
