@@ -55,6 +55,7 @@ QString note_of(const Comparison& comparison) {
                .arg(comparison.steps.size())
                .arg(in_seconds(comparison.task.from_s, 1));
   if (comparison.is_short) note += " It begins later than requested: older inputs are no longer kept.";
+  if (comparison.unread > 0) note += QString(" %1 of its frames cannot be read.").arg(comparison.unread);
   if (comparison.done) note += QString(" Solved in %1.").arg(in_seconds(comparison.solve_s, 2));
   return note;
 }

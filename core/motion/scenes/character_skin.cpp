@@ -112,7 +112,8 @@ std::optional<GltfValues> SkinReader::attribute(const Json& primitive, const cha
 
 std::optional<Eigen::Vector3f> SkinReader::vector(const GltfValues& values, std::size_t at) const {
   const Eigen::Vector3d read(values.number(at, 0), values.number(at, 1), values.number(at, 2));
-  if (!(read.cwiseAbs().maxCoeff() < most_metres)) return std::nullopt;  // also what is no number
+  // Of numbers and what is no number maxCoeff may give the number.
+  if (!read.allFinite() || read.cwiseAbs().maxCoeff() >= most_metres) return std::nullopt;
   return read.cast<float>();
 }
 

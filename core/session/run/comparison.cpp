@@ -116,7 +116,8 @@ bool ComparisonRun::advance(std::size_t frames) {
   for (; frames > 0 && solved_ < waiting_.size(); --frames) {
     const FrameSnapshotPtr recorded = waiting_.next();
     if (!recorded) {
-      solved_ = waiting_.size();  // the rest cannot be read
+      state_.unread += waiting_.size() - solved_;
+      solved_ = waiting_.size();
       break;
     }
     solve(*recorded);

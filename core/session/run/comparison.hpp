@@ -22,10 +22,11 @@ struct Comparison {
   std::vector<ComparedStep> steps;
   Settings settings_a, settings_b;  ///< at the last step
   bool done = false;
-  bool is_short = false;  ///< begins later than requested: older inputs are no longer kept
-  double fraction = 0;    ///< progress of a task with an end, 0..1
-  double solve_s = 0;     ///< computation time
-  std::string trouble;    ///< why there is no result
+  bool is_short = false;     ///< begins later than requested: older inputs are no longer kept
+  std::uint64_t unread = 0;  ///< frames of the range that cannot be read; it is solved without them
+  double fraction = 0;       ///< progress of a task with an end, 0..1
+  double solve_s = 0;        ///< computation time
+  std::string trouble;       ///< why there is no result
 };
 
 /// Runs one task, a few frames at a time. Has no thread; driven by ComparisonRunner and by tests.

@@ -108,6 +108,18 @@ TEST_F(DatasetPlan, InterHumanHasTwoPersons) {
   EXPECT_THAT(refusal("interhuman"), HasSubstr("holds no pair of the dataset interhuman among 2 files"));
 }
 
+TEST_F(DatasetPlan, Compas3dNeedsANameBeforeTheRole) {
+  touch("Pair1/_leader.npz"), touch("Pair1/_follower.npz");
+  EXPECT_THAT(refusal("compas3d"), HasSubstr("holds no pair of the dataset compas3d among 2 files"));
+}
+
+TEST_F(DatasetPlan, SkeletonsAndTablesBesideADatasetAreNoMotionsWithoutAPartner) {
+  touch("take/P1.npz"), touch("take/P2.npz"), touch("take/body.asf"), touch("take/markers.csv");
+  EXPECT_THAT(plan("interx").warnings, testing::IsEmpty());
+  touch("take/P3.bvh");
+  EXPECT_THAT(plan("interx").warnings, ElementsAre(HasSubstr("1 motion files have no partner")));
+}
+
 TEST_F(DatasetPlan, LooksIntoTwelveFoldersBelowOneAnotherAndNoFarther) {
   std::string folders;
   for (int depth = 0; depth < 12; ++depth) folders += "d/";

@@ -38,6 +38,17 @@ TEST(LabelFile, NeedsNoHeaderDetailOrConfidence) {
   EXPECT_EQ((*labels)[0].detail, "");
 }
 
+TEST(LabelFile, ALineMayEndWithACarriageReturnAlone) {
+  const auto labels = parse_labels("t1,3,4,turn\r\rt1,8,9,walk\r", "t1", "moves.csv");
+  ASSERT_TRUE(labels.ok()) << labels.error().text();
+  ASSERT_EQ(labels->size(), 2U);
+  EXPECT_EQ((*labels)[0].label, "turn");
+  EXPECT_EQ((*labels)[1].label, "walk");
+  EXPECT_EQ(refusal("t1,3,4,turn\r\rt1,8\r").where, "moves.csv:3");
+  EXPECT_EQ(refusal("t1,3,4,turn\n\nt1,8\n").where, "moves.csv:3");
+  EXPECT_EQ(refusal("t1,3,4,turn\r\n\r\nt1,8\r\n").where, "moves.csv:3");
+}
+
 TEST(LabelFile, ToleratesFurtherColumnsAndAByteOrderMark) {
   const auto labels = parse_labels("\xEF\xBB\xBFt1,3,4,turn,d,c,annotator,2024\n", "t1", "moves.csv");
   ASSERT_TRUE(labels.ok()) << labels.error().text();

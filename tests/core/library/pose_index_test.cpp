@@ -136,6 +136,25 @@ TEST_P(PoseIndexBy, AnswersTheSameWhateverItWasAnsweredBefore) {
   }
 }
 
+TEST_P(PoseIndexBy, AnswersTheSameAfterAnAnswerWithPairsThatItDoesNotHave) {
+  constexpr int count = 400;
+  auto all = random_features(count, 41);
+  for (Features& features : all) features += Features::Constant(100);
+  std::vector<int> even;
+  std::vector<bool> left_out(count, true);
+  for (int pair = 0; pair < count; pair += 2) {
+    even.push_back(pair);
+    left_out[static_cast<std::size_t>(pair)] = false;
+  }
+  const PoseIndex index(all, even, GetParam());
+  for (const Features& query : {Features(Features::Zero()), all[3]}) {
+    std::vector<PoseMatch> matches;
+    for (int pair = 1; pair < count; pair += 2) matches.push_back({pair, 0});
+    index.nearest(query, 10, matches);
+    EXPECT_EQ(as_answer(matches), brute_force_answer(all, left_out, query, 10));
+  }
+}
+
 TEST_P(PoseIndexBy, ManyThreadsMayAskAtOnce) {
   constexpr int count = 3000;
   const auto all = dance_like_features(count, 34);

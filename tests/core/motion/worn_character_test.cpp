@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.hpp"
@@ -156,6 +157,28 @@ TEST_F(WornCharacters, AccessorsThatLeaveTheirBufferAreRefused) {
     EXPECT_THAT(damaged([](Json& accessor, Json&) { accessor["type"] = "VEC9"; }), HasSubstr("figure.glb"));
     EXPECT_THAT(damaged([](Json& accessor, Json&) { accessor["componentType"] = "float"; }),
                 HasSubstr("figure.glb"));
+  }
+}
+
+TEST_F(WornCharacters, PointsAndNormalsThatAreNoNumbersAreRefused) {
+  const std::string file = skinned_rig(Naming::Vrm1);
+  const auto whole = parse_glb(file, "figure.glb");
+  const Json& json = whole->json;
+  for (const char* attribute : {"POSITION", "NORMAL"}) {
+    const Json& accessor =
+        json["accessors"][json["meshes"][0]["primitives"][0]["attributes"][attribute].get<std::size_t>()];
+    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    const std::size_t begin = file.size() - whole->binary.size() + view.value("byteOffset", std::size_t{0}) +
+                              accessor.value("byteOffset", std::size_t{0});
+    for (const float number :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e7F})
+      for (std::size_t coordinate = 0; coordinate < 3; ++coordinate) {
+        std::string damaged = file;
+        std::memcpy(damaged.data() + begin + sizeof(float) * coordinate, &number, sizeof(float));
+        const auto character = read(damaged);
+        ASSERT_FALSE(character) << attribute << ' ' << number << " at " << coordinate;
+        EXPECT_THAT(character.error().text(), HasSubstr("its meshes are damaged"));
+      }
   }
 }
 

@@ -28,6 +28,39 @@ double value(const RunFigures& figures, RunFigure figure) {
   return figures[static_cast<std::size_t>(figure)];
 }
 
+/// Frames on a disk that fails behind the first ones.
+class FailingDisk : public FrameStore {
+ public:
+  FailingDisk(std::vector<FrameSnapshotPtr> frames, std::size_t readable)
+      : frames_(std::move(frames)), readable_(readable) {}
+
+  Span span() const override {
+    return {frames_.front()->time_s, frames_.back()->time_s, 0, frames_.size() - 1, frames_.size()};
+  }
+  FrameSnapshotPtr at(double time_s) const override {
+    for (std::size_t i = readable_; i-- > 0;)
+      if (frames_[i]->time_s <= time_s) return frames_[i];
+    return nullptr;
+  }
+  FrameSnapshotPtr frame(std::uint64_t index) const override {
+    return index < readable_ ? frames_.at(index) : nullptr;
+  }
+  std::vector<FrameSnapshotPtr> range(double, double, std::size_t) const override {
+    return between(0, readable_ - 1, FrameHistory::all_frames);
+  }
+  std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last, std::size_t) const override {
+    std::vector<FrameSnapshotPtr> found;
+    for (std::uint64_t index = first; index <= last; ++index)
+      if (const FrameSnapshotPtr one = frame(index)) found.push_back(one);
+    return found;
+  }
+  std::optional<std::uint64_t> state_before(std::uint64_t) const override { return 0; }
+
+ private:
+  std::vector<FrameSnapshotPtr> frames_;
+  std::size_t readable_;
+};
+
 /// A session recorded by hand, with the settings "responsive".
 class Recorded : public testing::Test {
  protected:
@@ -139,6 +172,20 @@ TEST_F(Recorded, FramesThatAreGoneAreSaidToBeGone) {
   const auto result = carried_out({std::nullopt, slow_settings(), 50, 60, false});
   EXPECT_TRUE(result->done);
   EXPECT_NE(result->trouble.find("no longer kept"), std::string::npos);
+}
+
+TEST_F(Recorded, ARunEndsWhereItsFramesCannotBeReadAndCountsThem) {
+  run_until(2);
+  const auto frames = history.since(0);
+  FrameHistory on_disk;
+  on_disk.set_store(std::make_shared<FailingDisk>(frames, 50));
+  ComparisonRun run({std::nullopt, slow_settings(), 0, 2, false}, on_disk, solvers);
+  for (int turn = 0; turn < 100; ++turn) run.advance(7);
+  EXPECT_TRUE(run.is_done());
+  const auto result = run.measured();
+  EXPECT_EQ(result->steps.size(), 50U) << "what could be read is compared";
+  EXPECT_EQ(result->unread, frames.size() - 50);
+  EXPECT_EQ(carried_out({std::nullopt, slow_settings(), 0, 2, false})->unread, 0U);
 }
 
 TEST_F(Recorded, ARunThatFellBehindStartsAnewAtTheLiveEnd) {

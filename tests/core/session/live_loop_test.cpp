@@ -6,6 +6,7 @@
 
 #include "core/session/run/solver_thread.hpp"
 #include "core/stream/receive/clip_source.hpp"
+#include "tests/core/session/fakes.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
@@ -196,6 +197,32 @@ TEST(LiveLoop, AFailureBecomesASnapshotWithItsText) {
   loop->publish_failure("out of memory", 0.3);
   EXPECT_EQ(live.latest.newest()->result.status_text(), "failed: out of memory");
   EXPECT_EQ(live.latest.newest()->result.result, held);
+}
+
+TEST(LiveLoop, EveryLossOfTheUserIsSaidOnce) {
+  Live live;
+  const auto device = std::make_shared<test::FakeDevice>();
+  LiveLoop loop(std::move(*PartnerSynthesizer::create(test::small_library(), test::responsive_by_pose())),
+                device, live.commands, live.history, live.latest);
+  const Clip user = test::swinging_take("user", 120, 4).a;
+  const auto losses = [&] {
+    const auto frames = live.history.since(0);
+    return std::count_if(frames.begin(), frames.end(), [](const FrameSnapshotPtr& frame) {
+      return frame->result.message == "the user is not tracked; the partner holds its last pose";
+    });
+  };
+  for (int loss = 0; loss < 3; ++loss) {
+    for (std::size_t i = 0; i < 60; ++i) {
+      const double now_s = 2 * loss + static_cast<double>(i) / 60;
+      device->arrive({.pose = user.poses[i], .time_s = now_s});
+      loop.turn(now_s);
+    }
+    EXPECT_NE(live.latest.newest()->result.status, StepStatus::Failed);
+    EXPECT_EQ(losses(), loss);
+    for (int i = 60; i < 120; ++i) loop.turn(2 * loss + i / 60.0);
+    EXPECT_EQ(live.latest.newest()->result.status, StepStatus::Failed);
+    EXPECT_EQ(losses(), loss + 1);
+  }
 }
 
 TEST(SolverThread, PublishesWhileAnotherThreadReadsAndStopsWhenDestroyed) {

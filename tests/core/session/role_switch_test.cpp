@@ -163,6 +163,21 @@ TEST(RoleByLibrary, TheHandTakesOverAgain) {
   EXPECT_FALSE(live.latest.newest()->decisions);
 }
 
+TEST(RoleByLibrary, APairThatIsFollowedFromTimeZeroOnHasBeenFollowedSince) {
+  const auto library = library_of({exchanging_take()});
+  RoleSwitch by_library(views_of(library), UserRole::Active);
+  by_library.control(RoleControl::Library, UserRole::Active);
+  FrameResult followed;
+  followed.candidates.resize(1);
+  followed.candidates[0].pair = library->find_pair("exchange", 97, false);  // B leads from frame 100 on
+  ASSERT_GE(followed.candidates[0].pair, 0);
+  followed.selected = 0;
+  const Pose user = Pose::Zero();
+  const std::optional<Body> no_body;
+  EXPECT_EQ(by_library.after({followed, user, no_body, 0}), UserRole::Active);
+  EXPECT_EQ(by_library.after({followed, user, no_body, RoleSwitch::dwell_s}), UserRole::Passive);
+}
+
 class RoleByLeader : public testing::Test {
  protected:
   /// The role after a clip was danced, from a role that is wrong.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <thread>
 
 #include "core/session/run/history_keeper.hpp"
@@ -323,6 +324,37 @@ TEST_F(Engine, AMoveThatIsNotThereIsRefusedWithThoseThatAre) {
     return newest && newest->decisions && newest->decisions->meant;
   }));
   EXPECT_FALSE(engine.meant_choices().empty());
+}
+
+TEST(MeantChoices, BeforeAPairIsSelectedEveryMoveIsThereWithoutADistance) {
+  const auto library = test::small_library();
+  std::vector<int> pairs(static_cast<std::size_t>(library->pair_count()));
+  std::iota(pairs.begin(), pairs.end(), 0);
+  const RoleViews views(library, pairs);
+  const FrameResult failed;  // nothing is selected
+  for (const FrameResult* frame : {static_cast<const FrameResult*>(nullptr), &failed}) {
+    const auto choices = meant_choices(views, UserRole::Active, frame);
+    ASSERT_EQ(choices.size(), 2U);
+    EXPECT_EQ(choices[0].label, "open_hold");
+    EXPECT_EQ(choices[1].label, "turn");
+    for (const MeantChoice& choice : choices) {
+      EXPECT_EQ(choice.pairs, 165);
+      EXPECT_EQ(choice.nearest, -1);
+      EXPECT_EQ(choice.pose_distance, -1);
+    }
+  }
+  for (const int pair : {pairs.front(), pairs.back()}) {
+    FrameResult solved;
+    solved.selected = 0;
+    solved.features = library->features(pair);
+    solved.query_normalized = library->pose(pair).topRows<joint_count>();
+    const auto choices = meant_choices(views, UserRole::Active, &solved);
+    EXPECT_EQ(choices.at(0).label, library->label(pair)) << "the nearest first";
+    EXPECT_EQ(choices.at(0).nearest, pair);
+    EXPECT_EQ(choices.at(0).feature_distance, 0);
+    EXPECT_EQ(choices.at(0).pose_distance, 0);
+    EXPECT_GT(choices.at(1).pose_distance, 0);
+  }
 }
 
 }  // namespace

@@ -334,6 +334,27 @@ TEST(StreamPipeline, AReaderOfAnyoneFollowsARestartedSenderButNotThePartner) {
   EXPECT_EQ(other.performer(), "user");
 }
 
+TEST(StreamPipeline, APerformerWhoComesBackAfterOthersTookThePlaceIsFollowedAtOnce) {
+  for (const std::string wanted : {"", "Ana"}) {
+    PlainLine line;
+    PoseReader reader(wanted);
+    line.stand(test::standing_pose());
+    ASSERT_TRUE(reader.poll(line.pipeline, line.now_s));
+    line.now_s += 2.5;
+    // As many as there is room for.
+    for (int other = 0; other < 16; ++other)
+      line.send({"other " + std::to_string(other), {}, {}, without(test::standing_pose(), {joints::Root})});
+    ASSERT_FALSE(line.pipeline.find("Ana"));
+    EXPECT_FALSE(reader.poll(line.pipeline, line.now_s));
+    line.now_s += 2.5;
+    line.stand(test::standing_pose(), "Ana", 0.02);
+    const auto pose = reader.poll(line.pipeline, line.now_s);
+    EXPECT_EQ(reader.performer(), "Ana");
+    ASSERT_TRUE(pose) << "the hundred poses from before are not waited for";
+    EXPECT_TRUE(pose->discontinuous);
+  }
+}
+
 TEST(StreamPipeline, CalibrationMeasuresTheBodyAndPutsTheFeetOnTheFloor) {
   PlainLine line;
   const Pose raised = test::moved(t_pose(), 0, Vec3(0, 0.5, 0));

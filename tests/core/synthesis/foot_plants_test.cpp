@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/library/build/motion_library_builder.hpp"
@@ -54,6 +55,26 @@ TEST(FootPlants, AFootThatIsTooFarOffTakesAStepOneAtATime) {
     EXPECT_FALSE(plants.feet()[0].steps && plants.feet()[1].steps) << step;
   }
   EXPECT_TRUE(stepped);
+}
+
+TEST(FootPlants, AStepIsSixCentimetresHighInItsMiddleAndTheSameUpAndDown) {
+  FootPlants plants;
+  std::vector<double> heights;
+  for (int step = 0; step < 300 && (heights.empty() || plants.feet()[0].steps); ++step) {
+    const auto feet = drifting(step * step_s, 0.3);
+    const auto shown = plants.update(feet, step == 0 ? 0 : step_s);
+    const FootPlants::Foot& foot = plants.feet()[0];
+    if (foot.steps) heights.push_back(shown[0].y() - feet[0].free.y() - foot.lift);
+  }
+  ASSERT_GE(heights.size(), 24U) << "0.4 s";
+  EXPECT_NEAR(heights[12], 0.06, 1e-9);
+  EXPECT_EQ(*std::max_element(heights.begin(), heights.end()), heights[12]);
+  EXPECT_NEAR(heights[0], 0, 1e-9);
+  for (std::size_t i = 1; i < 12; ++i) {
+    EXPECT_NEAR(heights[12 - i], heights[12 + i], 1e-9) << i;
+    const double share = static_cast<double>(i) / 24;
+    EXPECT_NEAR(heights[i], 0.06 * std::pow(4 * share * (1 - share), 3), 1e-9) << i;
+  }
 }
 
 TEST(FootPlants, AFootThatTheRecordingLiftsLeavesTheFloorBeforeItMoves) {

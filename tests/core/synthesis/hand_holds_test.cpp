@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/motion/body_shape.hpp"
@@ -152,6 +153,68 @@ TEST_F(Reached, AHandInFrontTurnsAboutTheShoulderAndKeepsItsDistance) {
   const Vec3 there = turned(arm(), 0.8 * arm().unitOrthogonal());
   const Vec3 to_hand = partner_.row(partner_hand) - partner_.row(partner_hand - 1);
   EXPECT_NEAR((hand_for(there) - to_hand - shoulder()).norm(), arm().norm(), 1e-9);
+}
+
+/// The hands are 0.6 m apart, hold one another from frame 60 on, are 15 cm apart from 120 and 20 cm from 150
+/// on.
+class RecordedHold : public testing::Test {
+ protected:
+  RecordedHold() {
+    PairedTake take = test::swinging_take("hold", 180, 5, 0.62);
+    for (std::size_t frame = 0; frame < 180; ++frame) {
+      const double apart_m = frame < 60 ? 0.6 : frame < 120 ? 0.02 : frame < 150 ? 0.15 : 0.2;
+      take.b.poses[frame].row(partner_hand) =
+          take.a.poses[frame].row(user_hand) + Eigen::RowVector3d(0, apart_m, 0);
+    }
+    poses_ = take;
+    std::vector<PairedTake> takes;
+    takes.push_back(std::move(take));
+    library_ =
+        std::make_shared<const MotionLibrary>(std::move(*build_library("hold", std::move(takes), {}, {})));
+  }
+  void show(HandHolds& holds, int frame, bool source_changed = false) const {
+    const SourcePlayhead playhead{library_->find_pair("hold", frame, false), 0, 1};
+    const RecordedMoment moment = recorded_moment(*library_, playhead);
+    const Pose &user = poses_.a.poses[static_cast<std::size_t>(frame)],
+               &partner = poses_.b.poses[static_cast<std::size_t>(frame)];
+    const RootFrame user_root = root_frame(user), place = root_frame(partner);
+    holds.update({*library_, playhead, moment, source_changed, user, user_root, partner, body_, place},
+                 1.0 / 60);
+  }
+  static bool is_held(const HandHolds& holds) { return holds.pairs()[left_with_right].recorded; }
+
+  PairedTake poses_;
+  std::shared_ptr<const MotionLibrary> library_;
+  Body body_ = body_of(test::standing_pose());
+};
+
+TEST_F(RecordedHold, TheHandStartsFourTenthsOfASecondBeforeTheHold) {
+  HandHolds holds;
+  for (int frame = 20; frame < 60; ++frame) {
+    show(holds, frame);
+    EXPECT_EQ(is_held(holds), frame >= 60 - 24) << frame;
+  }
+  EXPECT_GT(holds.pairs()[left_with_right].ramp, 0.9) << "it is there in time";
+}
+
+TEST_F(RecordedHold, AHoldLastsUntilTheHandsAreEighteenCentimetresApart) {
+  HandHolds holds;
+  for (int frame = 50; frame < 180; ++frame) {
+    show(holds, frame);
+    EXPECT_EQ(is_held(holds), frame < 150) << frame;
+  }
+}
+
+TEST_F(RecordedHold, ItBeginsAtThirteenCentimetresAndWithAnotherSourceAnew) {
+  HandHolds at_fifteen;
+  show(at_fifteen, 120);
+  EXPECT_FALSE(is_held(at_fifteen));
+  for (const bool source_changed : {false, true}) {
+    HandHolds holds;
+    for (int frame = 60; frame < 120; ++frame) show(holds, frame);
+    show(holds, 120, source_changed);
+    EXPECT_EQ(is_held(holds), !source_changed);
+  }
 }
 
 }  // namespace

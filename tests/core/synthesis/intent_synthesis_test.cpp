@@ -175,6 +175,22 @@ TEST(IntentSynthesis, AFrameThatFailsIsNotRemembered) {
   EXPECT_EQ(synthesizer->step(stranger().poses[56], step_time).status, StepStatus::Ok);
 }
 
+TEST(IntentSynthesis, TheLeadOfTheUserIsThatOfTheFrame) {
+  const auto leading = [] {
+    auto synthesizer = synthesizer_with(by_intent());
+    std::size_t frame = 0;
+    while (frame < 200 && synthesizer->step(stranger().poses[frame], step_time).intent.lead_s == 0) ++frame;
+    EXPECT_LT(frame, 200U) << "the user must lead to test anything";
+    return synthesizer;
+  };
+  const auto refused = leading();
+  EXPECT_EQ(refused->step(Pose::Constant(std::numeric_limits<double>::quiet_NaN()), step_time).intent.lead_s,
+            0);
+  const auto changed = leading();
+  changed->set_settings(equation_7());
+  EXPECT_EQ(changed->step(stranger().poses[201], step_time).intent.lead_s, 0) << "Eq. 7 does not know any";
+}
+
 TEST(IntentSynthesis, APassiveUserIsUnderstoodByThePassivesMotion) {
   Settings settings = by_intent();
   settings.user_role = UserRole::Passive;

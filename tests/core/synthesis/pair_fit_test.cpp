@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/motion/body/joint_set.hpp"
+#include "core/synthesis/edit/hold_springs.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::pair_fit_test {
@@ -74,6 +75,55 @@ TEST(PairFit, HandsThatHoldOneAnotherAreDrawnTogether) {
   const double without_m = apart_m(0);
   ASSERT_GT(without_m, 0.1);
   EXPECT_LT(apart_m(200), 0.2 * without_m);
+}
+
+TEST(PairFit, DoesNotDependOnTheFitBefore) {
+  const CapsuleRadii thick = all(0.1);
+  const Standing far(1.2, 0.5), near(1.2, 0.15);
+  for (const auto& [before, task] : {std::pair(&near, &far), {&far, &near}, {&near, &near}}) {
+    PairFit fresh({thick, thick, thick, thick}), used({thick, thick, thick, thick});
+    used.fit(before->task());
+    const PairFit::Outcome wanted = fresh.fit(task->task()), outcome = used.fit(task->task());
+    EXPECT_EQ(outcome.let_go, wanted.let_go);
+    EXPECT_EQ(outcome.pose, wanted.pose);
+  }
+}
+
+/// The gradient of a fit's energy at its result, by the formulas of its headers.
+PairPose gradient(const PairFit& fit, const FitTask& task, const PairPose& at) {
+  const FitWeights weights;
+  VertexMatrix energy = fit.mesh().energy();
+  PairPose linear = fit.mesh().linear(1);
+  const auto anchor = [&](int vertex, double weight) {
+    energy(vertex, vertex) += weight;
+    linear.row(vertex) += weight * task.rebuilt.row(vertex);
+  };
+  for (int vertex = 0; vertex < 2 * joint_count; ++vertex) anchor(vertex, weights.place);
+  for (const int first : {0, joint_count})
+    for (const int toe_base : {joints::left_toe_base, joints::right_toe_base})
+      for (const int foot : {toe_base - 1, toe_base, toe_base + 1}) anchor(first + foot, weights.free_foot);
+  add_hold_springs(task.holds, task.hold_weight, energy, linear);
+  return energy * at - linear;
+}
+
+/// Were there a force across its bone, it could turn and the energy fall.
+TEST(PairFit, AHandIsPulledOnlyAlongItsBone) {
+  for (const double apart_m : {0.9, 1.2, 1.6}) {
+    const Standing two(apart_m, apart_m);
+    const std::vector<HandHold> holds{{true, false, 1, Vec3::Zero()}};
+    FitTask task = two.task();
+    task.holds = holds;
+    task.hold_weight = 1;
+    PairFit fit({all(0.01), all(0.01), all(0.01), all(0.01)});
+    const PairPose pose = fit.fit(task).pose;
+    ASSERT_GT((pose - two.rebuilt).row(joints::left_hand).norm(), 0.01)
+        << "it must be moved to test anything";
+    const PairPose forces = gradient(fit, task, pose);
+    for (const int hand : {joints::left_hand, joint_count + joints::right_hand}) {
+      const Vec3 along = (pose.row(hand) - pose.row(hand - 1)).normalized(), force = forces.row(hand);
+      EXPECT_LT((force - force.dot(along) * along).norm(), 1e-6 * force.norm()) << apart_m;
+    }
+  }
 }
 
 }  // namespace

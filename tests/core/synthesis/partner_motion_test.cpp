@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <limits>
+#include <random>
 
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/body/body_segments.hpp"
@@ -247,6 +248,96 @@ TEST(PartnerMotion, AHoldIsHeld) {
     }
   }
   EXPECT_GT(held, 60);
+}
+
+/// Two people who stand still and hold hands, the user's left and the partner's right; the partner is 0.9 m
+/// away.
+MotionLibrary library_of_a_standing_hold() {
+  PairedTake take = test::swinging_take("stands", 120, 1);
+  for (std::size_t frame = 0; frame < take.a.poses.size(); ++frame) {
+    Pose &a = take.a.poses[frame], &b = take.b.poses[frame];
+    a = test::standing_pose();
+    b = test::moved(test::standing_pose(), 3.1, Vec3(0, 0, 0.9));
+    b.row(joints::right_hand) = a.row(joints::left_hand) + Eigen::RowVector3d(0, 0, 0.12);
+  }
+  std::vector<PairedTake> takes;
+  takes.push_back(std::move(take));
+  return std::move(*build_library("stands", std::move(takes), {}, {}));
+}
+
+/// Where the partner's root comes to rest while the user's left hand is drawn off by so much.
+Vec3 rests_at(const MotionLibrary& library, const Vec3& hand_moves, double hold_weight) {
+  Settings settings = test::responsive_by_pose();
+  settings.hold_weight = hold_weight;
+  settings.foot_locks = false;
+  PartnerMotion motion;
+  Pose partner;
+  for (int frame = 0; frame < 110; ++frame) {
+    Pose user = test::standing_pose();
+    user.row(joints::left_hand) += (std::min(1.0, frame / 30.0) * hand_moves).transpose();
+    const MotionStep step{.library = library,
+                          .settings = settings,
+                          .user = user,
+                          .user_root = root_frame(user),
+                          .elapsed_s = frame == 0 ? 0 : step_s,
+                          .chosen = frame,
+                          .shown = std::nullopt};
+    PartnerMover mover(motion, step);
+    partner = mover.adapt(mover.move().bottomRows<joint_count>());
+  }
+  return partner.row(0);
+}
+
+TEST(PartnerMotion, AHeldHandDrawsThePartnerAlongButNotIntoTheUser) {
+  const MotionLibrary library = library_of_a_standing_hold();
+  // Beside the user: there the partner goes along, also where this is nearer, as long as it is not nearer
+  // than recorded.
+  const Vec3 beside(0.8, 0, 0);
+  const Vec3 without = rests_at(library, beside, 0), drawn = rests_at(library, beside, 50);
+  const double without_m = std::hypot(without.x(), without.z()), drawn_m = std::hypot(drawn.x(), drawn.z());
+  EXPECT_GT(drawn.x(), without.x() + 0.05);
+  EXPECT_GT(drawn_m, 0.9);
+  EXPECT_LT(drawn_m, without_m - 0.02);
+  // Behind the user: what the partner is nearer is of the place that follows the hand, and not of the pull.
+  for (const double behind_m : {0.4, 0.5, 0.6}) {
+    const Vec3 behind(0, 0, -behind_m);
+    const double unheld_m = rests_at(library, behind, 0).z(), held_m = rests_at(library, behind, 50).z();
+    ASSERT_LT(unheld_m, 0.9 - 0.1) << "a tenth of a metre nearer than recorded";
+    EXPECT_GT(held_m, unheld_m - 0.01) << behind_m;
+  }
+}
+
+TEST(PartnerMotion, FeetThatWereLetGoAreNotSaidToBeLocked) {
+  // Hands pulled hard, and a user who is somewhere else a few times a second.
+  const auto library = std::make_shared<const MotionLibrary>(library_of_a_hold());
+  const Clip dance = test::swinging_take("hold", 240, 5).a;
+  int let_go = 0;
+  for (const auto& [hold_weight, morph_weight, stays] : {std::tuple(300.0, 10.0, 5),
+                                                         {50.0, 50.0, 30},
+                                                         {300.0, 500.0, 5},
+                                                         {1000.0, 50.0, 5},
+                                                         {1000.0, 50.0, 30}}) {
+    Settings settings = test::responsive_by_pose();
+    settings.hold_weight = hold_weight;
+    settings.morph_weight = morph_weight;
+    auto synthesizer = std::move(*PartnerSynthesizer::create(library, settings));
+    std::mt19937 random(3);
+    std::normal_distribution<double> turn(0, 1), away(0, 0.5);
+    double yaw = 0;
+    Vec3 place = Vec3::Zero();
+    for (int frame = 0; frame < 400; ++frame) {
+      if (frame % stays == stays - 1) yaw = turn(random), place.x() = away(random), place.z() = away(random);
+      const Pose& pose = dance.poses[static_cast<std::size_t>(frame % 200)];
+      const FrameResult& result = synthesizer->step(test::moved(pose, yaw, place), Duration(step_s));
+      if (result.status != StepStatus::Relaxed) continue;
+      ++let_go;
+      for (const FootLock& lock : result.foot_locks) {
+        EXPECT_TRUE(lock.active_body) << result.message;
+        EXPECT_EQ(result.message, "the partner's foot locks were let go");
+      }
+    }
+  }
+  EXPECT_GT(let_go, 0) << "feet must be let go to test anything";
 }
 
 TEST(PartnerMotion, AHoldIsTakenUpSlowlyAgainAfterTheUserWasLost) {

@@ -157,6 +157,36 @@ TEST(PartnerSynthesizer, StartsAnewAfterTrackingLoss) {
   EXPECT_EQ(after_loss, fresh->step(user.poses[40], Duration(0)).result);
 }
 
+TEST(PartnerSynthesizer, AfterALossOfTrackingNothingIsLeftOfWhatWasFollowed) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  Settings successors = *preset("paper");
+  successors.continuations = 3;
+  for (const Settings& settings : {*preset("paper"), successors}) {
+    auto lost = synthesizer_with(settings), fresh = synthesizer_with(settings);
+    lost->pin_pair(lost->library().find_pair("second", 100, false));
+    lost->step(user.poses[0], Duration(0));
+    lost->pin_pair(std::nullopt);
+    const FrameResult& again = lost->step(user.poses[40], Duration(0.31));
+    const FrameResult& first = fresh->step(user.poses[40], Duration(0));
+    EXPECT_FALSE(again.source_changed) << "there is none that could change";
+    EXPECT_EQ(again.candidates.size(), first.candidates.size());
+    EXPECT_EQ(again.result, first.result);
+  }
+}
+
+TEST(PartnerSynthesizer, TheTimesOfAStepAreOfItsParts) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  for (const auto name : preset_names) {
+    auto synthesizer = synthesizer_with(*preset(name));
+    for (std::size_t frame = 0; frame < 8; ++frame) {
+      const StepTiming& timing = synthesizer->step(user.poses[frame], step_time).timing;
+      for (const double part_us : {timing.retarget_us, timing.select_us, timing.mesh_us, timing.solve_us})
+        EXPECT_GT(part_us, 0);
+      EXPECT_GE(timing.total_us, timing.retarget_us + timing.select_us + timing.mesh_us + timing.solve_us);
+    }
+  }
+}
+
 TEST(PartnerSynthesizer, AUserWithoutAPositionFailsTheFrameAndHoldsThePartner) {
   const Clip user = test::swinging_take("user", 60, 5).a;
   auto synthesizer = synthesizer_with(*preset("paper"));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/synthesis/settings/settings_check.hpp"
 #include "tests/support/bodies.hpp"
@@ -24,6 +25,21 @@ TEST(Settings, ThePaperPresetIsThePapersLetter) {
   EXPECT_EQ(paper.playback, SourcePlayback::Frames);
   EXPECT_EQ(paper.hold_weight, 0);
   EXPECT_EQ(paper.foot_lock_speed, 0);
+}
+
+TEST(Settings, TheResponsivePresetIsThatOfTheGuide) {
+  Settings wanted;  // of all others the default is the paper's value
+  wanted.selection = SelectionMethod::Intent;
+  wanted.alpha = 0.2;
+  wanted.continuations = 3;
+  wanted.switch_margin = 0.1;
+  wanted.velocity_weight = 0;
+  wanted.hold_weight = 50;
+  wanted.foot_lock_speed = 0.3;
+  wanted.playback = SourcePlayback::Continuous;
+  wanted.place_rate = 7.7;
+  wanted.step_rate_hz = 0;
+  EXPECT_EQ(*preset("responsive"), wanted);
 }
 
 TEST(Settings, AnUnknownPresetNamesTheKnownOnes) {
@@ -76,6 +92,26 @@ TEST(Settings, BodiesAreSaidByTheirWordAndAMeasuredFileKeepsItsLengths) {
   EXPECT_FALSE(parse_settings(R"({"active-body": {"file": "tall.bvh", "bones": [1]}})", Settings{}, "s"));
   EXPECT_FALSE(set_setting(settings, "passive-body", "user"));
   EXPECT_EQ(setting_text(settings, "passive-body"), "scale:0.85");
+}
+
+TEST(Settings, AMeasuredBodyHasItsFourFieldsAndNoOthers) {
+  Settings settings;
+  ASSERT_TRUE(set_setting(settings, "active-body", "tall.bvh"));
+  settings.active_body.measured = body_of(test::standing_pose());
+  const nlohmann::json whole = nlohmann::json::parse(settings_json(settings));
+  const auto refusal = [](const nlohmann::json& json) {
+    const auto read = parse_settings(json.dump(), Settings{}, "settings.json");
+    return read ? std::string("was read") : read.error().text();
+  };
+  EXPECT_EQ(refusal(whole), "was read");
+  nlohmann::json more = whole;
+  more["active-body"]["height"] = 1.8;
+  EXPECT_THAT(refusal(more), testing::HasSubstr("a file with its lengths in metres is expected"));
+  for (const auto& [field, value] : whole["active-body"].items()) {
+    nlohmann::json less = whole;
+    less["active-body"].erase(field);
+    EXPECT_THAT(refusal(less), testing::HasSubstr("a file with its lengths in metres is expected")) << field;
+  }
 }
 
 TEST(Settings, TheContractsKeysExist) {

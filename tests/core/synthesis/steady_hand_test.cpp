@@ -41,6 +41,20 @@ TEST(SteadyHand, AHandThatJumpsToAndFroIsNearlyStill) {
   EXPECT_NEAR(0.5 * (most + least), 0, 0.005);
 }
 
+TEST(SteadyHand, OfAJumpToAndFroAQuarterIsFollowedAndMoreInLongerSteps) {
+  for (const auto& [rate_hz, share] :
+       {std::pair(240.0, 0.25), {60.0, 0.25}, {40.0, 0.625}, {30.0, 1.0}, {20.0, 1.0}}) {
+    SteadyHand hand;
+    const double step_s = 1 / rate_hz, jump_m = 10 * step_s * step_s;  // not bounded by acceleration
+    hand.follow({0, 1, 0}, step_s);
+    hand.follow({jump_m, 1, 0}, step_s);
+    ASSERT_NEAR(hand.at.x(), jump_m, 1e-12);
+    hand.follow({0, 1, 0}, step_s);
+    // Half of the jump's speed would have gone on.
+    EXPECT_NEAR(hand.at.x(), 1.5 * jump_m * (1 - share), 1e-12) << rate_hz;
+  }
+}
+
 TEST(SteadyHand, AHandThatReallyWentElsewhereIsReached) {
   SteadyHand hand;
   hand.follow({0, 1, 0}, frame_s);
