@@ -112,7 +112,7 @@ bool PairFit::solve_step(LetGo let_go, double fraction) {
   PairPose linear = mesh_.linear(fraction) + anchored_;
   damp_turning_bones(lengths_, iterate_, !rows_.empty(), solver_, linear);
   build_rows(let_go);
-  return solver_.solve(linear, rows_, active_rows_, iterate_) &&
+  return solver_.solve(linear, rows_, active_rows_, iterate_) && iterate_.allFinite() &&
          (iterate_ - task_->rebuilt).cwiseAbs().maxCoeff() < farthest_m;
 }
 

@@ -174,6 +174,8 @@ void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Re
 }
 
 bool PairEditor::keep_iterate() {
+  // Of numbers and what is no number maxCoeff may give the number.
+  if (!iterate_.allFinite()) return false;
   if ((iterate_ - task_.reference).cwiseAbs().maxCoeff() > farthest_sensible_m) return false;
   steps_.push_back(iterate_);
   return true;
