@@ -12,12 +12,15 @@
 #include <QToolButton>
 #include <QUndoView>
 #include <QUrl>
+#include <fstream>
 #include <set>
 
 #include "app/workbench/base/recent_files.hpp"
 #include "app/workbench/shell/drop_hint.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/panel_focus.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "tests/support/libraries.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/message_log.hpp"
@@ -206,6 +209,31 @@ TEST_F(Shell, ARefusedSettingIsNamedAsInThePanelAndItsErrorLeavesWithTheNextValu
   EXPECT_EQ(bar.openErrors().size(), before + 1);
   window().document().changeSetting("alpha", "0.37");
   EXPECT_EQ(bar.openErrors().size(), before);
+}
+
+/// Reading a long file takes seconds.
+TEST_F(Shell, ABodyOfAFileIsMeasuredWhileTheWindowAnswers) {
+  const QString file = home().filePath("tall.bvh");
+  std::ofstream(file.toStdString()) << *write_bvh(std::vector<Clip>{test::swinging_take("t", 40, 1).a}, 100);
+  Document& document = window().document();
+  const auto body = [&document]() -> const BodyChoice& { return document.settings().active_body; };
+  document.changeSetting("active-body", file);
+  EXPECT_EQ(body().kind, BodyChoice::Kind::Library) << "not yet";
+  ASSERT_TRUE(until([&] { return body().kind == BodyChoice::Kind::OfFile; }));
+  EXPECT_TRUE(body().measured);
+  document.changeSetting("alpha", "0.21");
+  EXPECT_TRUE(body().measured) << "another setting does not measure it again";
+
+  document.changeSetting("active-body", "scale:0.9");
+  document.changeSetting("active-body", file);
+  document.changeSetting("active-body", "library");
+  QTest::qWait(200);
+  EXPECT_EQ(body().kind, BodyChoice::Kind::Library) << "the last one counts, whenever a file is read";
+
+  const auto errors = window().messages().openErrors().size();
+  document.changeSetting("active-body", home().filePath("none.bvh"));
+  EXPECT_TRUE(until([&] { return window().messages().openErrors().size() > errors; }));
+  document.changeSetting("active-body", "library");
 }
 
 TEST_F(Shell, AWindowClosedWhileItLoadsGoesWithoutAQuestion) {

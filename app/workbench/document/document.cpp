@@ -1,6 +1,7 @@
 #include "app/workbench/document/document.hpp"
 
 #include <QUndoCommand>
+#include <array>
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
@@ -14,6 +15,14 @@ namespace {
 QString title_of(const std::string& key) {
   const SettingInfo* info = find_setting(key);
   return info ? QString::fromUtf8(info->title.data(), static_cast<int>(info->title.size())) : QString();
+}
+
+std::array<BodyChoice*, 2> bodies_of(Settings& settings) {
+  return {&settings.active_body, &settings.passive_body};
+}
+
+bool is_unmeasured(const BodyChoice& body) {
+  return body.kind == BodyChoice::Kind::OfFile && !body.measured;
 }
 
 }  // namespace
@@ -40,6 +49,9 @@ class DocumentStep : public QUndoCommand {
   ProjectEdit m_edit;
 };
 
+Document::Document(QObject* parent) : QObject(parent) {}
+Document::~Document() = default;
+
 void Document::change(const ProjectValue& next, const QString& what, const QString& key, int gesture) {
   auto edit = m_live.edit(next, what.toStdString());
   if (!edit) {  // of another preset's name, perhaps: nothing that a step of undo would show
@@ -65,14 +77,34 @@ void Document::take(const Result<ChosenSettings>& next, const QString& what, con
 }
 
 void Document::changeSetting(const QString& key, const QString& text, int gesture) {
-  const std::string name = key.toStdString();
-  auto next = m_live.with_setting(name, text.toStdString());
+  if (const auto before = m_measuring.find(key); before != m_measuring.end())
+    Job::retire(std::move(before->second), this);
+  auto next = m_live.with_setting(key.toStdString(), text.toStdString());
   if (next)
-    for (BodyChoice* body : {&next->settings.active_body, &next->settings.passive_body})
-      if (const Status measured = measure_file(*body); !measured) {
-        next = measured.error();
-        break;
-      }
+    for (const BodyChoice* body : bodies_of(next->settings))
+      if (is_unmeasured(*body)) return measure(*body, key, text, gesture);
+  takeSetting(std::move(next), key, gesture);
+}
+
+void Document::measure(const BodyChoice& body, const QString& key, const QString& text, int gesture) {
+  m_measuring[key] = std::make_unique<Job>(
+      [this, body, key, text, gesture](const Progress& progress) -> Job::Finish {
+        BodyChoice found = body;
+        const Status measured = measure_file(found, progress);
+        return [this, measured, found, key, text, gesture] {
+          auto next = m_live.with_setting(key.toStdString(), text.toStdString());  // others may be new
+          if (next)
+            for (BodyChoice* one : bodies_of(next->settings))
+              if (is_unmeasured(*one) && one->file == found.file) one->measured = found.measured;
+          if (!measured) next = measured.error();
+          takeSetting(std::move(next), key, gesture);
+        };
+      },
+      this);
+}
+
+void Document::takeSetting(Result<ChosenSettings> next, const QString& key, int gesture) {
+  const std::string name = key.toStdString();
   // The window has no option of the command line, where the setting is "--alpha".
   if (!next && next.error().where == "--" + name)
     next = Error{next.error().message, title_of(name).toStdString(), next.error().hint};

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QStringList>
 #include <QUndoStack>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,13 +15,16 @@
 
 namespace abrazo::app {
 
+class Job;
+
 /// The live project of the window, and the session that it runs on: the one owner of settings, decisions,
 /// role control, markers and annotations. Views listen to `changed` and request changes here; changes are
 /// passed to the solver. LiveProject has the rules of each part.
 class Document : public QObject {
   Q_OBJECT
  public:
-  explicit Document(QObject* parent = nullptr) : QObject(parent) {}
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
 
   /// The project without parts that are set only on saving: references to library and input, and the layout
   /// of panels.
@@ -38,7 +42,8 @@ class Document : public QObject {
   /// Changes a part as an undo step; no effect if nothing changes.
   /// @param key, gesture changes of one key with the same number other than 0 merge into one step
   void change(const ProjectValue& next, const QString& what, const QString& key = {}, int gesture = 0);
-  /// Sets a setting from typed text. Invalid text is refused.
+  /// Sets a setting from typed text. Invalid text is refused. A body that is a file is measured on another
+  /// thread, and set when that is done unless the setting is changed again before.
   void changeSetting(const QString& key, const QString& text, int gesture = 0);
   void choosePreset(const QString& name, bool own = false);
   void adopt(const Settings& settings, const QString& what);
@@ -121,6 +126,8 @@ class Document : public QObject {
   void openProject(const OpenedProject& opened);
   void openAnnotations(const AnnotationBook& book);
   void take(const Result<ChosenSettings>& next, const QString& what, const QString& key, int gesture);
+  void takeSetting(Result<ChosenSettings> next, const QString& key, int gesture);
+  void measure(const BodyChoice& body, const QString& key, const QString& text, int gesture);
 
   LiveProject m_live;
   QUndoStack m_undo;
@@ -128,6 +135,7 @@ class Document : public QObject {
   LabelSelection m_labels;
   std::optional<int> m_triedPin;
   std::unique_ptr<LiveSession> m_session;
+  std::map<QString, std::unique_ptr<Job>> m_measuring;  ///< of bodies that settings are to have, by key
 };
 
 }  // namespace abrazo::app
