@@ -87,8 +87,9 @@ TEST_F(RealPeers, AnArmThatOscsendRaisesIsRaisedHere) {
   const auto said = statistics();
   EXPECT_GT(said["frames"], 0);
   for (const auto& issue : said["stream"]["issues"]) {
-    // Between two processes 8 ms may pass, and the bones so far are a frame.
-    EXPECT_THAT(issue["kind"].get<std::string>(), AnyOf("incomplete-frame", "missing-bones"))
+    // Between two processes 8 ms may pass, and the bones so far are a frame; where that happens between most
+    // of the 25, the time of the sender, which comes last, stands through as many frames.
+    EXPECT_THAT(issue["kind"].get<std::string>(), AnyOf("incomplete-frame", "missing-bones", "frozen-sender"))
         << issue["latest"];
   }
   EXPECT_EQ(said["stream"]["packets"], 6 * 25);
