@@ -9,6 +9,7 @@
 #include "core/base/parallel.hpp"
 #include "core/bodies/foot_steps.hpp"
 #include "core/library/build/capsule_calibration.hpp"
+#include "core/motion/body/girth.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/body/smooth_window.hpp"
 
@@ -193,8 +194,8 @@ PairCapsules capsules_of(const RecordedPair& recorded, const PairBodies& bodies)
   const auto radii = calibrate_capsules(std::array{take}, std::array{TakeBodies{0, 1}},
                                         std::array{bodies.active.from, bodies.passive.from});
   PairCapsules capsules{radii[0], radii[1], radii[0], radii[1]};
-  for (double& radius : capsules.active) radius *= bodies.active.girth();
-  for (double& radius : capsules.passive) radius *= bodies.passive.girth();
+  for (double& radius : capsules.active) radius *= girth(bodies.active.from, bodies.active.to);
+  for (double& radius : capsules.passive) radius *= girth(bodies.passive.from, bodies.passive.to);
   return capsules;
 }
 

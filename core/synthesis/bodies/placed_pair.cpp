@@ -24,11 +24,6 @@ double BodyChange::legs() const {
   return recorded_m > shortest_m ? to.leg_length() / recorded_m : 1;
 }
 
-double BodyChange::girth() const {
-  const double recorded_m = from.height();
-  return recorded_m > shortest_m ? to.height() / recorded_m : 1;
-}
-
 ToeBases toe_bases(const Pose& pose) {
   return {joint_at(pose, joints::left_toe_base), joint_at(pose, joints::right_toe_base)};
 }

@@ -13,8 +13,6 @@ struct BodyChange {
 
   /// Step lengths and heights follow the legs: ratio of the leg lengths, 1 if the recorded body has none.
   double legs() const;
-  /// Capsules follow the height.
-  double girth() const;
   bool changes() const { return from.bone_lengths != to.bone_lengths; }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/body/girth.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/motion/transition.hpp"
 
@@ -27,10 +28,6 @@ FitWeights live_weights() {
   FitWeights weights;
   weights.smooth = 10;
   return weights;
-}
-
-double girth(const Body& recorded, const Body& body) {
-  return BodyChange{recorded, body}.girth();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/motion/body/body_choice.hpp"
+#include "core/motion/body/girth.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/bodies/gliding_body.hpp"
 #include "tests/support/bodies.hpp"
@@ -54,7 +55,7 @@ TEST(PlacedPair, AScaledBodyIsTheScaledPose) {
   const BodyChange change{body_of(pose), scaled_body(body_of(pose), 0.85)};
   EXPECT_LT((rebuilt(pose, change, 0.85 * joint_at(pose, 0)) - 0.85 * pose).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_NEAR(change.legs(), 0.85, 1e-12);
-  EXPECT_NEAR(change.girth(), 0.85, 1e-12);
+  EXPECT_NEAR(girth(change.from, change.to), 0.85, 1e-12);
 }
 
 TEST(PlacedPair, BonesHaveTheOtherBodysLengthsAndTheRecordedDirections) {

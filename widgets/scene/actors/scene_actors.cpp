@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/mesh/capsules.hpp"
+#include "core/motion/body/girth.hpp"
 #include "core/motion/body/joint_set.hpp"
-#include "core/synthesis/bodies/placed_pair.hpp"
 #include "widgets/scene/actors/ahead_lines.hpp"
 #include "widgets/scene/values/body_light.hpp"
 
@@ -113,7 +113,7 @@ void SceneActors::setBodies(const LibraryBody& active, const LibraryBody& passiv
 }
 
 double SceneActors::girthOf(std::size_t body, const Pose& pose) const {
-  return BodyChange{m_bodies[body], body_of(pose)}.girth();
+  return girth(m_bodies[body], body_of(pose));
 }
 
 void SceneActors::setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances) {
