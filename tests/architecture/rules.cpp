@@ -126,6 +126,7 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/selection/intent_model.hpp",
                                              "core/motion/body/joint_set.hpp",
                                              "core/motion/body/body.hpp",
+                                             "core/motion/body/girth.hpp",
                                              "core/motion/body/clip.hpp",
                                              "core/motion/scenes/worn_character.hpp",
                                              "core/metrics/holds.hpp",
