@@ -66,6 +66,26 @@ TEST(SceneView, DrawsAShorterCharacterThinnerInProportion) {
   EXPECT_LT(share, 0.62);
 }
 
+/// As in a film of a trace.
+TEST(SceneView, WithoutALibraryDrawsACharacterShorterThanTheRecordedOneThinner) {
+  SceneView view;
+  PartVisibility only_leader{};
+  only_leader[static_cast<std::size_t>(ScenePart::Leader)] = true;
+  view.resize(640, 480);
+  view.setVisibility(only_leader);
+  view.show();
+  const auto area_at = [&view](std::uint64_t index, double recorded, double shown) {
+    auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(index, 0.02 * static_cast<double>(index)));
+    frame->result.selected_pair *= recorded;
+    frame->result.result *= shown;
+    view.showFrame(frame);
+    return static_cast<double>(pixels_of_hue(middle_of(picture_of(view)), dark().active));
+  };
+  const double as_recorded = area_at(4, 1, 1), thinner = area_at(5, 1, 0.7), small = area_at(6, 0.7, 0.7);
+  EXPECT_LT(thinner / as_recorded, 0.62);
+  EXPECT_LT(thinner, 0.95 * small) << "the radii are those of whoever was recorded";
+}
+
 /// A driver compiles its programs at the first picture, and a window that waits for that does not answer.
 TEST(SceneView, PreparesItsFirstPictureInSeveralTurnsAndShowsItWhole) {
   Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});

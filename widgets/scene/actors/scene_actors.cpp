@@ -112,8 +112,9 @@ void SceneActors::setBodies(const LibraryBody& active, const LibraryBody& passiv
   m_contacts.setRadii(active.capsule_radii, passive.capsule_radii);
 }
 
-double SceneActors::girthOf(std::size_t body, const Pose& pose) const {
-  return girth(m_bodies[body], body_of(pose));
+double SceneActors::girthOf(std::size_t body, const Pose& shown, const Pose& recorded) const {
+  const bool has_library = m_bodies[body].height() > 0;
+  return girth(has_library ? m_bodies[body] : body_of(recorded), body_of(shown));
 }
 
 void SceneActors::setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances) {
@@ -173,7 +174,9 @@ void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   setBodyVisible(0, is_on(ScenePart::Leader) && !exploded);
   setBodyVisible(1, is_on(ScenePart::Follower) && !exploded);
   for (LineSet& bones : m_bones) bones.setVisible(is_on(ScenePart::Bones) || exploded);
-  const std::array<double, 2> girths = {girthOf(0, result.active()), girthOf(1, result.passive())};
+  const std::array<double, 2> girths = {
+      girthOf(0, result.active(), result.selected_pair.topRows<joint_count>()),
+      girthOf(1, result.passive(), result.selected_pair.bottomRows<joint_count>())};
   m_leader.setPose(result.active(), girths[0]);
   m_follower.setPose(result.passive(), girths[1]);
   m_skins[0].setPose(result.active(), frame.time_s);

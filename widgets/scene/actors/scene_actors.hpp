@@ -35,7 +35,8 @@ class SceneActors {
   /// @param pixel_ratio device pixels per logical pixel: line widths are in logical pixels
   void setColours(const Palette& palette, double pixel_ratio);
   /// The bodies of the library, whose capsules the characters get. A character of another height gets thicker
-  /// or thinner ones in proportion, as in the solver.
+  /// or thinner ones in proportion, as in the solver. Without a library the proportion is that to the
+  /// recorded pair.
   void setBodies(const LibraryBody& active, const LibraryBody& passive);
   /// Skins instead of the capsules. @param stances  of the performers
   void setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances);
@@ -65,7 +66,7 @@ class SceneActors {
   void showFootLocks(const FrameResult& result);
   void showShadows(const FrameResult& result);
   void setBodyVisible(std::size_t body, bool visible);
-  double girthOf(std::size_t body, const Pose& pose) const;
+  double girthOf(std::size_t body, const Pose& shown, const Pose& recorded) const;
   void drawTrails(const JointTrails::Lines& trails, LineSet& lines, double strength);
 
   Palette m_palette;
