@@ -236,6 +236,7 @@ class Monkey : public QObject {
         "between the last two windows\n",
         m_sampled, m_windows, used, history_mb, m_memoryLast);
     std::fflush(stdout);
+    m_watch.forget();  // giving back a large heap takes long
   }
 
   // ---- chance ----
@@ -374,9 +375,11 @@ class Monkey : public QObject {
   // ---- streams and files ----
   void endSender() {
     if (!m_sender) return;
+    beat();
     m_sender->kill();
     m_sender->waitForFinished(2000);
     m_sender.reset();
+    m_watch.forget();  // the window is not to blame
   }
   void changeStream() {
     if (m_wish.sender.isEmpty()) return;
@@ -391,9 +394,11 @@ class Monkey : public QObject {
       diary.note("stream " + uri);
       m_streams->connectTo(uri);
       endSender();
+      beat();
       m_sender = std::make_unique<QProcess>();
       m_sender->start(m_wish.sender,
                       {"send", m_home.path() + "/demo/salsa_01_a.bvh", "--to", uri, "--loop", "--quiet"});
+      m_watch.forget();  // to begin a program, a large one is copied
     }
   }
   void openFile() {
