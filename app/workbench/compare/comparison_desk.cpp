@@ -30,6 +30,7 @@ ComparisonDesk::ComparisonDesk(Document& document, FrameTicker& ticker, widgets:
   m_still.start();
   connect(&document, &Document::began, this, &ComparisonDesk::startSession);
   connect(&document, &Document::ending, this, &ComparisonDesk::endSession);
+  connect(&document, &Document::libraryReplaced, this, &ComparisonDesk::endSession);  // solved anew with it
   connect(&ticker, &FrameTicker::playbackChanged, this, &ComparisonDesk::refresh);
   connect(&ticker, &FrameTicker::frameReady, this, &ComparisonDesk::showGhosts);
   connect(&panel, &ComparePanel::spanRequested, this, [this] {

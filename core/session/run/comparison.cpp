@@ -4,6 +4,8 @@
 #include <chrono>
 #include <span>
 
+#include "core/session/frames/frame_in_library.hpp"
+
 namespace abrazo {
 namespace {
 
@@ -65,7 +67,7 @@ ComparisonRun::ComparisonRun(ComparisonTask task, const FrameHistory& recorded, 
   }
   if (state_.done) return;
   start(state_.task.from_s, state_.task.follows_live ? state_.task.from_s : state_.task.to_s);
-  if (waiting_.empty() && !state_.task.follows_live)
+  if (waiting_.empty() && !state_.task.follows_live && !state_.done)
     fail("the inputs of these frames are no longer kept; choose later ones");
 }
 
@@ -83,6 +85,12 @@ void ComparisonRun::start(double from_s, double to_s) {
   last_ = nullptr;
   const FrameSnapshotPtr first = found.frames.next();
   if (!first) return;
+  // A take that was added or taken away since makes another library.
+  const auto is_of_library = [this](const FrameSnapshotPtr& frame) {
+    return has_pairs_of(*solvers_.library, *frame);
+  };
+  if (!is_of_library(first) || !std::ranges::all_of(found.run_up, is_of_library))
+    return fail("these frames were solved with another library");
   if (state_.task.a) solvers_.a->go_to(found.run_up, *first);
   if (state_.task.b) solvers_.b->go_to(found.run_up, *first);
   waiting_ = std::move(found.frames);
@@ -120,7 +128,7 @@ bool ComparisonRun::advance(std::size_t frames) {
       solved_ = waiting_.size();
       break;
     }
-    solve(*recorded);
+    solve(recorded);
     last_ = recorded;
     ++solved_;
   }
@@ -132,11 +140,12 @@ bool ComparisonRun::advance(std::size_t frames) {
   return true;
 }
 
-void ComparisonRun::solve(const FrameSnapshot& recorded) {
-  const auto of_run = [&recorded](const std::optional<Settings>& settings, ReSolver* solver,
-                                  const std::optional<Decisions>& decisions) {
-    return slim(settings ? solver->solve(recorded, *settings, decisions)
-                         : std::make_shared<FrameSnapshot>(recorded));
+void ComparisonRun::solve(const FrameSnapshotPtr& recorded) {
+  const auto of_run = [&](const std::optional<Settings>& settings, ReSolver* solver,
+                          const std::optional<Decisions>& decisions) {
+    // The session may have had another library, for example without a take that was added since.
+    return slim(settings ? solver->solve(*recorded, *settings, decisions)
+                         : std::make_shared<FrameSnapshot>(*in_library(recorded, solvers_.library)));
   };
   a_->append(of_run(state_.task.a, solvers_.a.get(), std::nullopt));
   b_->append(of_run(state_.task.b, solvers_.b.get(), state_.task.b_decisions));

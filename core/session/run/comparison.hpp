@@ -51,7 +51,7 @@ class ComparisonRun {
  private:
   void start(double from_s, double to_s);
   bool find_more();
-  void solve(const FrameSnapshot& recorded);
+  void solve(const FrameSnapshotPtr& recorded);
   void fail(const std::string& why);
 
   const FrameHistory& recorded_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/session/frames/comparison_plan.hpp"
 #include "core/session/run/comparison_runner.hpp"
 #include "core/session/run/live_loop.hpp"
@@ -109,6 +110,23 @@ TEST_F(Recorded, AFrameIsSolvedAgainWithAPinThatTheLiveSolverDoesNotHave) {
   EXPECT_FALSE(latest.newest()->decisions) << "the live solver is not told";
   now.tried_pin = parked->result.candidates.front().pair;
   EXPECT_NE(what_if_task(now, &*task), task) << "another pin is another what-if";
+}
+
+/// A take that joins the library of a running session, or leaves it, makes another library.
+TEST_F(Recorded, FramesOfALibraryWithMorePairsAreNotLookedUpInOneWithFewer) {
+  run_until(3);
+  std::vector<PairedTake> takes;
+  takes.push_back(test::swinging_take("first", 12, 1));
+  auto less = build_library("less", std::move(takes), {}, {});
+  ASSERT_TRUE(less);
+  solvers.library = std::make_shared<const MotionLibrary>(std::move(*less));
+  for (const bool with_recorded : {true, false}) {
+    const auto settings_a = with_recorded ? std::nullopt : std::optional(test::responsive_by_pose());
+    const auto result = carried_out({settings_a, slow_settings(), 1, 2, false});
+    EXPECT_TRUE(result->done);
+    EXPECT_EQ(result->trouble, "these frames were solved with another library");
+    EXPECT_TRUE(result->steps.empty());
+  }
 }
 
 TEST_F(Recorded, TwoRunsAreSolvedOverTheSameFrames) {
