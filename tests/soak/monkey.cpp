@@ -214,7 +214,7 @@ class Monkey : public QObject {
                   gap.starved_s, diary.last());
       std::fflush(stdout);
     }
-    if (minutes() >= m_sampled + 0.5) sample();
+    if (m_window && minutes() >= m_sampled + 0.5) sample();
     if (minutes() > m_wish.minutes && !m_isDone) {
       m_isDone = true;
       const bool leaked = leaks();
