@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -80,17 +81,26 @@ TEST_F(RealPeers, AnArmThatOscsendRaisesIsRaisedHere) {
   TestReceiver partner;
   start_at(port, uri_of("vmc", port, "split=port"),
            "--record s.abrazo --send " + uri_of("vmc", partner.port()));
-  double time_s = 0;
-  for (int i = 0; i < 3; ++i) osc_send(port, pose("none", time_s += 0.5));
+  using Clock = std::chrono::steady_clock;
+  double time_s = 0, longest_s = 0;  // between two times of the sender
+  auto sent = Clock::now();
+  const auto send = [&](const std::string& turned) {
+    osc_send(port, pose(turned, time_s += 0.5));
+    longest_s = std::max(longest_s, std::chrono::duration<double>(Clock::now() - sent).count());
+    sent = Clock::now();
+  };
+  for (int i = 0; i < 3; ++i) send("none");
   ASSERT_TRUE(wait_until([&] { return !partner.packets().empty(); }));
-  for (int i = 0; i < 3; ++i) osc_send(port, pose("LeftUpperArm", time_s += 0.5));
+  for (int i = 0; i < 3; ++i) send("LeftUpperArm");
   const auto said = statistics();
   EXPECT_GT(said["frames"], 0);
   for (const auto& issue : said["stream"]["issues"]) {
-    // Between two processes 8 ms may pass, and the bones so far are a frame; where that happens between most
-    // of the 25, the time of the sender, which comes last, stands through as many frames.
-    EXPECT_THAT(issue["kind"].get<std::string>(), AnyOf("incomplete-frame", "missing-bones", "frozen-sender"))
-        << issue["latest"];
+    const auto kind = issue["kind"].get<std::string>();
+    // On a busy machine the time of the sender, which comes last in a pose, really stands while the 25
+    // processes of the next one begin.
+    if (kind == "frozen-sender" && longest_s > 0.5) continue;
+    // Between two processes 8 ms may pass, and the bones so far are a frame.
+    EXPECT_THAT(kind, AnyOf("incomplete-frame", "missing-bones")) << issue["latest"];
   }
   EXPECT_EQ(said["stream"]["packets"], 6 * 25);
   ASSERT_THAT(said["stream"]["performers"], SizeIs(1));

@@ -85,13 +85,19 @@ TEST(SplitMesh, BeginsAtTheRebuiltPair) {
 TEST(SplitMesh, ARelationFadesWithDistanceAndEndsWithoutAJump) {
   const RelationWeights weights;
   double before = relation_weight(weights, 0);
-  EXPECT_NEAR(before, weights.contact + weights.near, 0.5);
+  const auto at_limit = [&weights](double width_m) {
+    return std::exp(-std::pow(weights.far_m / width_m, 2));
+  };
+  EXPECT_NEAR(before,
+              weights.contact * (1 - at_limit(weights.contact_width_m)) +
+                  weights.near * (1 - at_limit(weights.near_width_m)),
+              1e-12);
   for (double d = 0.01; d < weights.far_m; d += 0.01) {
     const double now = relation_weight(weights, d);
     EXPECT_LT(now, before);
     before = now;
   }
-  EXPECT_LT(before, 0.1);
+  EXPECT_LT(relation_weight(weights, weights.far_m - 1e-4), 1e-3) << "no jump";
   EXPECT_EQ(relation_weight(weights, weights.far_m), 0);
 }
 
