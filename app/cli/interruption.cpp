@@ -19,39 +19,50 @@ void note_signal(int /*signal*/) {
 }
 
 std::atomic<int> noted_itself = 0;
+// Remembered, because the signal that tells of the parent's death (PR_SET_PDEATHSIG) bears its number and
+// arrives when getppid() already names another process.
+std::atomic<pid_t> parent = 0;
 
 void note_signal_of_child(int signal, siginfo_t* info, void* /*context*/) {
   was_interrupted = true;
-  const bool is_passed_on = info->si_code == SI_USER && info->si_pid == ::getppid();
+  const bool is_passed_on = info->si_code == SI_USER && info->si_pid == parent;
   if (!is_passed_on && noted_itself.fetch_add(1) > 0) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
 }
 
-}  // namespace
-
-void note_interruptions() {
+void handle(const struct sigaction& action) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction previous {};
     // What the parent has us ignore (nohup, a shell's background job) stays ignored.
     if (::sigaction(signal, nullptr, &previous) != 0 || previous.sa_handler == SIG_IGN) continue;
-    struct sigaction action {};
-    action.sa_handler = note_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     ::sigaction(signal, &action, nullptr);
   }
 }
 
+}  // namespace
+
+void note_interruptions() {
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  handle(action);
+}
+
+void leave_second_signal_to_child() {
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = SA_RESTART;
+  handle(action);
+}
+
 void note_interruptions_of_child() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction previous {};
-    if (::sigaction(signal, nullptr, &previous) != 0 || previous.sa_handler == SIG_IGN) continue;
-    struct sigaction action {};
-    action.sa_sigaction = note_signal_of_child;
-    action.sa_flags = SA_SIGINFO | SA_RESTART;
-    ::sigaction(signal, &action, nullptr);
-  }
+  parent = ::getppid();
+  struct sigaction action {};
+  action.sa_sigaction = note_signal_of_child;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  handle(action);
 }
 
 bool interrupted() {

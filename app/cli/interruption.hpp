@@ -11,6 +11,11 @@ void note_interruptions();
 /// parent. What the parent passes on therefore only sets the flag.
 void note_interruptions_of_child();
 
+/// From here on a child process decides what a second signal does: it gets the signals too, or has them
+/// passed on. If this program ended first, nobody would wait for the child or tell its status, and its
+/// display would go away while it cleans up.
+void leave_second_signal_to_child();
+
 /// Whether such a signal was received.
 bool interrupted();
 

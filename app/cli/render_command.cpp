@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/interruption.hpp"
 #include "app/cli/virtual_display.hpp"
 #include "app/render/render_options.hpp"
 #include "core/base/output_file.hpp"
@@ -45,6 +46,7 @@ Result<int> run(const RenderOptions& options, bool quiet) {
     display = std::make_unique<VirtualDisplay>(std::move(made).value());
     start.environment = {"DISPLAY=" + display->name(), "QT_QPA_PLATFORM=xcb"};
   }
+  leave_second_signal_to_child();
   auto drawing = ChildProcess::start(start);
   if (!drawing) return drawing.error();
   const int status = drawing->wait();

@@ -1,6 +1,7 @@
 // Pictures and films without a display. The drawing itself needs the workbench's program beside `abrazo`.
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -146,6 +147,28 @@ TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
   // The partial file is there from the first picture on.
   while (!running.finished() && std::filesystem::is_empty(path("film"))) std::this_thread::yield();
   running.signal(SIGINT);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("was stopped; nothing was written"));
+  EXPECT_TRUE(std::filesystem::is_empty(path("film")));
+}
+
+/// The same signal twice, as from `timeout`, while what draws is too busy to see the first one.
+TEST_F(RenderCommand, StaysUntilWhatItStartedHasEnded) {
+  make_trace();
+  std::filesystem::create_directory(path("film"));
+  RunningCommand running(
+      {ABRAZO_PROGRAM, "render", "T.jsonl", "-o", "film/a.mp4", "--size", "1920x1080", "--rate", "240"},
+      folder());
+  while (!running.finished() && std::filesystem::is_empty(path("film"))) std::this_thread::yield();
+  const pid_t drawing = running.child("abrazo-render");
+  ASSERT_GT(drawing, 0);
+  ::kill(drawing, SIGSTOP);
+  running.signal(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  running.signal(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ::kill(drawing, SIGCONT);
   const Outcome outcome = running.wait();
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("was stopped; nothing was written"));

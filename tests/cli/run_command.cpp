@@ -84,6 +84,14 @@ bool RunningCommand::catches(int number) const {
   return false;
 }
 
+pid_t RunningCommand::child(const std::string& name) const {
+  const std::string number = std::to_string(process_);
+  std::ifstream children("/proc/" + number + "/task/" + number + "/children");
+  for (pid_t child = 0; children >> child;)
+    if (content_of("/proc/" + std::to_string(child) + "/comm") == name + "\n") return child;
+  return -1;
+}
+
 bool RunningCommand::finished() {
   if (process_ > 0 && ::waitpid(process_, &wait_status_, WNOHANG) == process_) process_ = -1;
   return process_ < 0;

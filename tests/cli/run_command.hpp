@@ -28,6 +28,8 @@ class RunningCommand {
   void signal(int number) const;
   /// The running program has a handler of its own for this signal.
   bool catches(int number) const;
+  /// The process of this name that it started; none: -1. Linux cuts names after 15 characters.
+  pid_t child(const std::string& name) const;
   bool finished();
   Outcome wait();
   /// What it has written by now; of errors only those that go to a file.
