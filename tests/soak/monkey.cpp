@@ -45,6 +45,7 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/allocation.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
 #include "core/base/file_limit.hpp"
 #include "tests/soak/answer_watch.hpp"
@@ -435,6 +436,7 @@ class NoLinks : public QObject {
 }  // namespace
 
 int main(int argc, char** argv) {
+  app::return_freed_memory();
   Wish wish;
   for (int word = 1; word + 1 < argc; word += 2) {
     const std::string_view name = argv[word];

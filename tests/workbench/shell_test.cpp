@@ -10,12 +10,13 @@
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
-#include <QUndoView>
+#include <QUndoStack>
 #include <QUrl>
 #include <fstream>
 #include <set>
 
 #include "app/workbench/base/recent_files.hpp"
+#include "app/workbench/shell/change_history.hpp"
 #include "app/workbench/shell/drop_hint.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/panel_focus.hpp"
@@ -179,11 +180,38 @@ TEST_F(Shell, FilesInTheAirAreNamedWithWhatTheyAre) {
 }
 
 TEST_F(Shell, TheHistoryListsTheChangesAndAClickGoesBackToOne) {
-  auto* history = window().panels().panel("history")->findChild<QUndoView*>();
-  ASSERT_TRUE(history || window().findChild<QUndoView*>());
+  auto* history = window().findChild<ChangeHistory*>();
+  ASSERT_TRUE(history);
   action("History")->trigger();
   EXPECT_TRUE(window().panels().panel("history")->isVisible());
+  QUndoStack& stack = window().undoStack();
+  const int before = stack.index();
+  window().document().changeSetting("alpha", "0.11");
+  const int first = stack.index();
+  window().document().changeSetting("w_delta", "0.5");
+  ASSERT_EQ(history->count(), stack.count() + 1);
+  EXPECT_EQ(history->item(0)->text(), "As it was opened");
+  EXPECT_EQ(history->item(first)->text(), stack.text(first - 1));
+  EXPECT_EQ(history->currentRow(), stack.index());
+  QTest::mouseClick(history->viewport(), Qt::LeftButton, {},
+                    history->visualItemRect(history->item(before)).center());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stack.index() == before; }));
+  EXPECT_EQ(history->currentRow(), before);
   window().resetLayout();
+}
+
+/// What is undone may take rows away, so the list has to be done with the choice by then: typed letters
+/// choose rows too.
+TEST_F(Shell, TheHistoryHandlesAChoiceBeforeAnythingIsUndone) {
+  auto* history = window().findChild<ChangeHistory*>();
+  ASSERT_TRUE(history);
+  QUndoStack& stack = window().undoStack();
+  window().document().changeSetting("alpha", "0.12");
+  const int after = stack.index();
+  history->setCurrentRow(after - 1);
+  EXPECT_EQ(stack.index(), after);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stack.index() == after - 1; }));
+  EXPECT_EQ(history->currentRow(), after - 1);
 }
 
 TEST_F(Shell, AnErrorComesBackAfterWhatLeavesByItself) {

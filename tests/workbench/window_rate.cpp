@@ -21,6 +21,7 @@
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/allocation.hpp"
 #include "app/workbench/start/responsiveness.hpp"
 #include "core/opening/generated_set.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -293,6 +294,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
 
 int main(int argc, char** argv) {
   using namespace abrazo;
+  app::return_freed_memory();
   app::Application application(argc, argv);
   const QTemporaryDir home;
   qputenv("ABRAZO_HOME", home.path().toUtf8());

@@ -1,5 +1,7 @@
 #include "widgets/common/icons.hpp"
 
+#include <QCoreApplication>
+#include <QHash>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
@@ -104,11 +106,18 @@ QIcon painted_icon(const QSize& size, const std::function<void(QPainter&)>& pain
 }
 
 QIcon icon(Icon which, const QColor& colour) {
-  return painted_icon({16, 16}, [&](QPainter& painter) {
-    const bool is_filled = which <= Icon::ToEnd;
-    painter.setPen(QPen(colour, is_filled ? 0.8 : 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    is_filled ? filled(painter, which) : lined(painter, which);
-  });
+  // One object for each: Qt keeps a picture of every icon object it was asked for, up to 10 MB, and what
+  // shows progress asks several times a second.
+  static QHash<QPair<int, QRgb>, QIcon> known;
+  if (known.isEmpty()) qAddPostRoutine([] { known.clear(); });  // pictures may not outlive the application
+  QIcon& found = known[{static_cast<int>(which), colour.rgba()}];
+  if (found.isNull())
+    found = painted_icon({16, 16}, [&](QPainter& painter) {
+      const bool is_filled = which <= Icon::ToEnd;
+      painter.setPen(QPen(colour, is_filled ? 0.8 : 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      is_filled ? filled(painter, which) : lined(painter, which);
+    });
+  return found;
 }
 
 QIcon program_icon() {

@@ -247,9 +247,11 @@ void ProjectDesk::write(const QString& target) {
     m_window.noteOpened({target});                                    // among the recent ones
     emit saved(target);
   };
-  m_job = std::make_unique<Job>([what, finish](const Progress& progress) -> Job::Finish {
-    return [finish, done = save_session(what, progress)] { finish(done); };
-  });
+  m_job = std::make_unique<Job>(
+      [what, finish, earlier = m_takes.finishing()](const Progress& progress) -> Job::Finish {
+        if (earlier) (void)earlier->finish();  // its own job tells the result
+        return [finish, done = save_session(what, progress)] { finish(done); };
+      });
   show_progress(*m_job, m_window.messages());
   connect(&m_window.messages(), &widgets::MessageBar::cancelRequested, m_job.get(), &Job::cancel);
   connect(m_job.get(), &Job::finished, this, [this] { Job::retire(std::move(m_job), this); });

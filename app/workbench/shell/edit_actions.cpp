@@ -1,8 +1,9 @@
 #include <QAction>
 #include <QMenu>
-#include <QUndoView>
+#include <QUndoStack>
 
 #include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/change_history.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 
@@ -22,11 +23,8 @@ void add_edit_actions(MainWindow& window) {
                    [undo](const QString& what) { undo->setText(what.isEmpty() ? "Undo" : "Undo " + what); });
   QObject::connect(&window.undoStack(), &QUndoStack::redoTextChanged, redo,
                    [redo](const QString& what) { redo->setText(what.isEmpty() ? "Redo" : "Redo " + what); });
-  auto* history = new QUndoView(&window.undoStack());
-  history->setAccessibleName("History of changes");
-  history->setEmptyLabel("As it was opened");
-  history->setFrameShape(QFrame::NoFrame);
-  window.addPanel("history", "History", history, Qt::RightDockWidgetArea, false);
+  window.addPanel("history", "History", new ChangeHistory(window.undoStack()), Qt::RightDockWidgetArea,
+                  false);
   menu->addSeparator();
   add_action(window, menu, "History", {}, [&window] { window.panels().want("history", true); });
 }

@@ -9,6 +9,7 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/allocation.hpp"
 #include "app/workbench/start/command_line.hpp"
 #include "app/workbench/start/responsiveness.hpp"
 #include "app/workbench/start/start_times.hpp"
@@ -77,6 +78,7 @@ void write_line(const std::string& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  app::return_freed_memory();
   const auto parsed = app::parse_command_line(argc, argv);
   if (const auto* stop = std::get_if<app::ExitStatus>(&parsed)) return stop->code;
   const auto& asked = std::get<app::CommandLine>(parsed);

@@ -159,6 +159,7 @@ bool TakeDesk::record() {
     QDir().mkpath(folder);
     m_file = new_session_file(folder, QDateTime::currentDateTime());
   }
+  awaitFile();
   const Status started = engine.record(m_file.toStdString(), facts());
   m_markersInFile.reset();
   if (started) {
@@ -171,15 +172,36 @@ bool TakeDesk::record() {
   return false;
 }
 
-void TakeDesk::stopRecorder() {
-  SessionEngine& engine = m_window.session()->engine();
-  if (!engine.recorder()) return;
+/// The file is finished by a worker, as in finishFile().
+void TakeDesk::stopRecorder(Afterwards afterwards) {
+  if (!m_window.session()->engine().recorder()) return;
   writeMarkers();
-  const Status written = engine.stop_recording();
-  if (!written) m_window.messages().showError(words(written.error()));
-  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(m_file).size());
-  m_lastState.behind_s = 0;
   writeEdits();
+  const auto recorder = m_window.session()->engine().release_recorder();
+  m_finishing = recorder;
+  m_lastState = recorder->state();
+  m_lastState.behind_s = 0;
+  const QString file = std::exchange(m_file, afterwards == Afterwards::Discard ? QString() : m_file);
+  if (m_file.isEmpty()) m_lastState = {};
+  auto* job = new Job(
+      [this, recorder, file, afterwards](const Progress&) -> Job::Finish {
+        const Status written = recorder->finish();
+        if (afterwards == Afterwards::Discard) discard_session(file);
+        return [this, recorder, file, written] {
+          if (m_finishing == recorder) m_finishing.reset();
+          if (!written) m_window.messages().showError(words(written.error()));
+          if (m_file != file || m_finishing || !m_window.session()) return;
+          m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
+          update();
+        };
+      },
+      this);
+  connect(job, &Job::finished, job, &QObject::deleteLater);
+}
+
+/// For the rare case that the file is needed again in the moments of its being finished.
+void TakeDesk::awaitFile() {
+  if (m_finishing) (void)m_finishing->finish();  // its job tells the result
 }
 
 /// Names in the file follow those in the list, through the recorder while it runs.
@@ -188,6 +210,7 @@ void TakeDesk::writeEdits() {
   if (names.empty() || m_file.isEmpty() || !m_window.session()) return;
   const auto recorder = m_window.session()->engine().recorder();
   if (recorder) recorder->edit_takes(names);
+  if (!recorder) awaitFile();
   const Status written = recorder ? Status(Done{}) : edit_session_takes(m_file.toStdString(), names);
   if (!written) return m_window.messages().showError(words(written.error()));
   m_takes.written(names);
@@ -220,13 +243,8 @@ void TakeDesk::prepareStream() {
 
 /// Of a stream that could not be opened nothing is left.
 void TakeDesk::discardIfUnused() {
-  stopRecorder();
-  if (m_isForStream && takes().empty()) {
-    discard_session(m_file);
-    m_file.clear();
-    m_lastState = {};
-  }
-  m_isForStream = false;
+  const bool is_unused = std::exchange(m_isForStream, false) && takes().empty();
+  stopRecorder(is_unused ? Afterwards::Discard : Afterwards::Keep);
 }
 
 /// The file of the session that was opened, with its takes.
@@ -269,8 +287,9 @@ void TakeDesk::onSessionEnding() {
 /// On another thread: the disk may take its time, and the window does not wait for it.
 void TakeDesk::finishFile() {
   if (m_file.isEmpty()) return;
-  const auto finish = [recorder = m_window.session()->engine().recorder(), file = m_file.toStdString(),
-                       edits = m_takes.edits()] {
+  const auto finish = [recorder = m_window.session()->engine().recorder(), earlier = m_finishing,
+                       file = m_file.toStdString(), edits = m_takes.edits()] {
+    if (earlier) (void)earlier->finish();  // its own job tells the result
     Status written = recorder ? recorder->finish() : Status(Done{});
     const Status edited = edit_session_takes(file, edits);
     return written ? edited : written;

@@ -49,6 +49,9 @@ class TakeDesk : public QObject {
   const QString& file() const { return m_file; }
   /// Continues the session in this file. Not during recording.
   void setFile(const QString& file);
+  /// The recorder of the file that a worker is finishing; null = none. The file can be written by others once
+  /// finish() of it has returned.
+  std::shared_ptr<Recorder> finishing() const { return m_finishing; }
   /// Edits of takes that are not yet in the file.
   const TakeEdits& edits() const { return m_takes.edits(); }
   int session() const { return m_session; }  ///< number of the session
@@ -70,7 +73,9 @@ class TakeDesk : public QObject {
   void beginTake();
   void endTake(bool stopsRecorder = true);
   bool record();
-  void stopRecorder();
+  enum class Afterwards { Keep, Discard };
+  void stopRecorder(Afterwards afterwards = Afterwards::Keep);
+  void awaitFile();
   void discardIfUnused();
   void follow();
   void update();
@@ -91,6 +96,7 @@ class TakeDesk : public QObject {
   TakeSequence m_sequence;
   SessionTakes m_takes;
   QString m_file;
+  std::shared_ptr<Recorder> m_finishing;
   std::optional<Markers> m_markersInFile;  ///< last passed to the recorder; none = not yet
   Recorder::State m_lastState;
   QString m_toldFailure;

@@ -333,14 +333,18 @@ std::shared_ptr<Recorder> SessionEngine::recorder() const {
 }
 
 Status SessionEngine::stop_recording() {
-  if (!parts_->recorder) return Done{};
+  const std::shared_ptr<Recorder> recorder = release_recorder();
+  return recorder ? recorder->finish() : Status(Done{});
+}
+
+std::shared_ptr<Recorder> SessionEngine::release_recorder() {
+  if (!parts_->recorder) return nullptr;
   parts_->stop_recording_poses();
   if (parts_->keeper) (void)parts_->keeper->go_on();  // its state says why it does not
   parts_->gate->shut();
   push(DetachListener{parts_->gate});
   parts_->gate.reset();
-  const std::shared_ptr<Recorder> recorder = std::exchange(parts_->recorder, nullptr);
-  return recorder->finish();
+  return std::exchange(parts_->recorder, nullptr);
 }
 
 }  // namespace abrazo

@@ -69,8 +69,11 @@ class SessionEngine {
   /// Records everything from now on into a session file, which also extends the history.
   Status record(const std::string& path, const RecordingFacts& facts);
   std::shared_ptr<Recorder> recorder() const;  ///< null if not recording
+  /// Stops recording and waits until the file is whole, which on a slow disk takes seconds.
   /// @return an Error if writing failed
   Status stop_recording();
+  /// Stops recording without waiting. @return what has still to be finished; null if not recording
+  std::shared_ptr<Recorder> release_recorder();
 
  private:
   struct Parts;
