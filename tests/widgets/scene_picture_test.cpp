@@ -303,6 +303,26 @@ TEST(SceneView, FillsTrailsFromThePastAfterTheCursorWasMoved) {
   EXPECT_GT(pixels_of_hue(middle_of(picture_of(scene.view)), dark().passive), alone + 20);
 }
 
+/// A session that is opened brings its library before its first frame; until then the old frame is looked at.
+TEST(SceneView, LooksUpNoPairOfAnotherLibrary) {
+  const auto library = test::small_library(), other = test::two_take_library();
+  Scene scene({ScenePart::LookAhead});
+  scene.view.setLibrary(library);
+  PartCounts counts{};
+  QObject::connect(&scene.view, &SceneView::countsChanged, [&counts](const PartCounts& c) { counts = c; });
+  const auto shown_ms = [&counts] { return counts[static_cast<std::size_t>(ScenePart::LookAhead)]; };
+  auto frame = std::make_shared<FrameSnapshot>(*recorded_frame(*library, 0, 4));
+  frame->library = library;
+  scene.view.showFrame(frame);
+  ASSERT_GT(shown_ms(), 0);
+  scene.view.setLibrary(other);
+  scene.view.showSelection(Selection::joint(joints::Head));
+  EXPECT_EQ(shown_ms(), 0) << "the pair of that number is another movement";
+  scene.view.setLibrary(library);
+  scene.view.showFrame(frame);
+  EXPECT_GT(shown_ms(), 0);
+}
+
 TEST(SceneView, DrawsWhereThePartnerGoesNextInThePartnersColour) {
   const auto library = test::small_library();
   Scene scene({ScenePart::LookAhead});

@@ -323,6 +323,7 @@ TEST_F(ExportWindow, ACharacterIsWrittenInTheSameBytesAsByTheCommandLine) {
   takes.toggle();
   ASSERT_TRUE(until([&] { return !takes.takes().empty() && takes.takes().all().back().frames > 60; }));
   takes.toggle();
+  ASSERT_TRUE(until([&] { return !takes.finishing(); }));
   const RecordedTake take = takes.takes().all().back();
   const double from_s = take.from_s + 0.3, to_s = take.to_s - 0.3;
   ticker().setRange(from_s, to_s);
@@ -350,6 +351,7 @@ TEST_F(ExportWindow, ATakeOfTheSessionIsWrittenInTheSameBytesAsByTheCommandLine)
   takes.toggle();
   ASSERT_TRUE(until([&] { return !takes.takes().empty() && takes.takes().all().back().frames > 30; }));
   takes.toggle();
+  ASSERT_TRUE(until([&] { return !takes.finishing(); }));
   const QString take = QString::fromStdString(takes.takes().all().back().name);
   dialog().offer(desk().offer());
   choose("Part", "take " + take);

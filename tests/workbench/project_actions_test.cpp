@@ -229,6 +229,7 @@ TEST_F(ProjectActions, TakesAreRecordedIntoTheFileOfTheProjectAndItIsSavedMeanwh
   EXPECT_EQ(load_project(file("both.abrazo").toStdString())->annotations.at(""),
             window().document().live().annotations().of(""));
   takes().toggle();
+  ASSERT_TRUE(until([] { return !takes().finishing(); }));
   const auto session = SessionFile::open(file("both.abrazo").toStdString());
   ASSERT_TRUE(session);
   EXPECT_GT((*session)->contents().frames, 20U);

@@ -30,6 +30,7 @@ class SessionOpen : public DemoWindow {
     desk().toggle();
     until([] { return !desk().takes().empty() && desk().takes().all().back().frames > 60; });
     desk().toggle();
+    until([] { return !desk().finishing(); });
     s_take = desk().takes().all().back();
     for (const FrameSnapshotPtr& frame : history().range(s_take.from_s, s_take.to_s))
       if (frame->time_s > (s_take.from_s + s_take.to_s) / 2 && !s_middle) s_middle = frame;

@@ -34,9 +34,15 @@ class TakeActions : public DemoWindow {
     ASSERT_TRUE(until([&] { return last().frames >= frames; }));
     desk().toggle();
     ASSERT_FALSE(desk().isRecording());
+    ASSERT_TRUE(is_finished());
+  }
+  /// A worker ends the recording.
+  static bool is_finished() {
+    return until([] { return !desk().finishing(); });
   }
   static std::vector<std::string> names_in_file() {
     std::vector<std::string> names;
+    EXPECT_TRUE(is_finished());
     const auto session = SessionFile::open(desk().file().toStdString());
     if (!session) return {session.error().text()};
     for (const SessionTake& take : (*session)->contents().takes) names.push_back(take.name);
@@ -56,10 +62,31 @@ TEST_F(TakeActions, TheKeyRecordsATakeIntoAFileAndEndsIt) {
   EXPECT_TRUE(window().transport().recordingText().isEmpty());
   EXPECT_FALSE(window().timeline().takes().back().is_running);
   EXPECT_TRUE(QFile::exists(desk().file()));
-  EXPECT_EQ(names_in_file().back(), last().name);
+  EXPECT_EQ(names_in_file().back(), last().name);  // waits for the worker
   const auto session = SessionFile::open(desk().file().toStdString());
   ASSERT_TRUE(session) << session.error().text();
   EXPECT_TRUE((*session)->contents().runs.back().finished) << "it was closed in order";
+}
+
+/// A disk may take seconds for it; the window does not wait.
+TEST_F(TakeActions, AWorkerFinishesTheFileAndTheNextTakeGoesIntoItToo) {
+  record_a_take();
+  desk().toggle();
+  ASSERT_TRUE(until([] { return last().frames >= 5; }));
+  const QString file = desk().file();
+  desk().toggle();
+  EXPECT_TRUE(desk().finishing());
+  EXPECT_FALSE(window().session()->engine().recorder());
+  const std::string first = last().name;
+  desk().toggle();  // before the window has heard that it is finished
+  ASSERT_TRUE(until([] { return last().frames >= 5; }));
+  EXPECT_EQ(desk().file(), file);
+  desk().toggle();
+  const std::vector<std::string> names = names_in_file();
+  ASSERT_GE(names.size(), 2U);
+  EXPECT_EQ(names[names.size() - 2], first);
+  EXPECT_EQ(names.back(), last().name);
+  EXPECT_FALSE(desk().finishing());
 }
 
 TEST_F(TakeActions, AgainCountsUpAndBeginsAtOnce) {
@@ -164,6 +191,7 @@ TEST_F(TakeActions, ACopyHasTheTakesAsTheyAreOnTheList) {
 
 TEST_F(TakeActions, AMarkerSetWhileRecordingIsInTheFileOnce) {
   const auto markers_in_file = [] {
+    EXPECT_TRUE(is_finished());
     const auto session = SessionFile::open(desk().file().toStdString());
     return session ? (*session)->contents().markers : std::vector<SessionMarker>();
   };

@@ -8,6 +8,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "core/library/store/neighbour_distance.hpp"
 #include "core/session/frames/decision_edits.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -68,9 +69,9 @@ void LibraryDesk::onPanels() {
   widgets::TakeList& takes = m_window.takes();
   takes.refresh(session->engine().history());
   const auto& shown = m_window.ticker().shown();
-  if (!shown || shown->result.selected < 0) return takes.setSource(-1, 0);
-  const auto selected = static_cast<std::size_t>(shown->result.selected);
-  const PairSource& source = session->material().library->source(shown->result.candidates[selected].pair);
+  const int pair = shown ? selected_pair(*shown, session->material().library) : -1;
+  if (pair < 0) return takes.setSource(-1, 0);
+  const PairSource& source = session->material().library->source(pair);
   takes.setSource(static_cast<int>(source.take), static_cast<int>(source.frame));
 }
 

@@ -46,6 +46,7 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
 
 void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_library = std::move(library);
+  m_shown = in_library(m_shown, m_library);
   m_kept = nullptr;  // shown again
   changed();
 }

@@ -18,6 +18,7 @@
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "app/workbench/shell/work_split.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/parts.hpp"
@@ -232,12 +233,9 @@ void MainWindow::showPanels() {
   m_plots->refresh(session()->history(), m_ticker.playback(), m_ticker.shown());
   m_candidates->showPath(session()->history(), m_ticker.playback().cursor_s);
   const auto& shown = m_ticker.shown();
-  const bool has_source = shown && shown->result.selected >= 0;
-  const auto selected = has_source ? static_cast<std::size_t>(shown->result.selected) : 0;
-  m_takes->setCurrentTake(
-      has_source ? static_cast<int>(
-                       session()->material().library->source(shown->result.candidates[selected].pair).take)
-                 : -1);
+  const std::shared_ptr<const MotionLibrary>& library = session()->material().library;
+  const int pair = shown ? selected_pair(*shown, library) : -1;
+  m_takes->setCurrentTake(pair < 0 ? -1 : static_cast<int>(library->source(pair).take));
 }
 
 void MainWindow::setTheme(widgets::Theme theme) {

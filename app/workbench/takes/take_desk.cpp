@@ -179,7 +179,7 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
   writeEdits();
   const auto recorder = m_window.session()->engine().release_recorder();
   m_finishing = recorder;
-  m_lastState = recorder->state();
+  m_lastState.bytes = recorder->state().bytes;
   m_lastState.behind_s = 0;
   const QString file = std::exchange(m_file, afterwards == Afterwards::Discard ? QString() : m_file);
   if (m_file.isEmpty()) m_lastState = {};

@@ -250,6 +250,21 @@ TEST_F(Engine, ARecordingHasEveryFrameAndPoseBetweenItsBeginningAndItsEnd) {
 }
 
 /// Its files are made by a worker, and meanwhile a recording may have begun.
+/// A slow disk takes seconds to finish; who must not wait takes the recorder along.
+TEST_F(Engine, AReleasedRecorderGetsNothingMoreAndIsNotFinished) {
+  ASSERT_TRUE(runs_on_the_clip());
+  EXPECT_EQ(engine.release_recorder(), nullptr);
+  ASSERT_TRUE(engine.record("S.abrazo", {}));
+  ASSERT_TRUE(eventually([&] { return recorder->frames.frames().size() > 2; }));
+  EXPECT_EQ(engine.release_recorder(), recorder);
+  EXPECT_FALSE(recorder->finished);
+  EXPECT_EQ(engine.recorder(), nullptr);
+  const std::size_t frames = recorder->frames.frames().size();
+  const std::uint64_t index = engine.latest().newest()->index;
+  ASSERT_TRUE(eventually([&] { return engine.latest().newest()->index > index + 3; }));
+  EXPECT_EQ(recorder->frames.frames().size(), frames);
+}
+
 TEST_F(Engine, AHistoryKeptFromLaterOnHasTheEarlierFramesAndRestsDuringARecording) {
   ASSERT_TRUE(runs_on_the_clip());
   ASSERT_TRUE(engine.record("S.abrazo", {}));

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <cmath>
 
+#include "core/session/frames/frame_in_library.hpp"
 #include "core/synthesis/step/look_ahead.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/scene/actors/ahead_lines.hpp"
@@ -151,6 +152,10 @@ void SceneView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
   Parts& p = *m_parts;
   p.library = std::move(library);
   p.picker.setLibrary(p.library);
+  // The shown frame stays until the next one; pairs of its library may be other ones in this, or none.
+  p.frame = in_library(p.frame, p.library);
+  p.shown = p.frame && p.step ? at_step(p.frame, *p.step) : p.frame;
+  if (p.shown) p.picker.show(*p.shown);
   dressCharacters();
   if (!p.library || p.library->bodies().empty()) return;
   p.actors.setBodies(p.library->usual_active_body(), p.library->usual_passive_body());
@@ -219,8 +224,7 @@ void SceneView::updateFacts() {
                  .arg(p.actors.mesh().shownEdges().size())
                  .arg(result.edges.size());
   QString second = result.candidates.empty() ? "" : "no source";
-  if (p.library && result.selected >= 0) {
-    const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (const int pair = selected_pair(frame, p.library); p.library && pair >= 0) {
     const std::string_view label = p.library->label(pair);
     second = QString("source %1 · %2")
                  .arg(QString::fromStdString(p.library->take_of(pair).name))
