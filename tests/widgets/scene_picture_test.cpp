@@ -229,6 +229,24 @@ TEST(SceneView, DrawsLimbsThatOverlapWithTheirDepth) {
   }
 }
 
+TEST(SceneView, DrawsLimbsThatOverlapAsThickAsTheShownBody) {
+  Scene scene({ScenePart::Contacts});
+  const auto area = [&scene](double height) {
+    const auto apart = std::make_shared<FrameSnapshot>(*frame_with_collision());
+    apart->result.result *= height;
+    const auto overlapping = std::make_shared<FrameSnapshot>(*apart);
+    apart->result.collisions.clear();
+    const auto picture = [&scene](const FrameSnapshotPtr& frame) {
+      scene.view.showFrame(frame);
+      for (QLabel* depth : scene.view.findChildren<QLabel*>("depth")) depth->hide();  // as large as before
+      return middle_of(picture_of(scene.view));
+    };
+    return difference(picture(apart), picture(overlapping));
+  };
+  const double tall = area(1), half = area(0.5);
+  EXPECT_LT(half / tall, 0.4) << "half as long and half as thick, and an outline as wide as before";
+}
+
 TEST(SceneView, StandsTheReferenceBesideTheResultAndMarksItThereToo) {
   Scene scene({ScenePart::MeshBetween});
   const QImage alone = picture_of(scene.view);
