@@ -53,37 +53,45 @@ FrameSnapshotPtr recorded_frame(const MotionLibrary& library, int pair, std::uin
 }
 
 TEST(SceneView, DrawsAShorterCharacterThinnerInProportion) {
-  Scene scene({ScenePart::Leader});
-  const auto area = [&scene] {
-    return static_cast<double>(pixels_of_hue(middle_of(picture_of(scene.view)), dark().active));
-  };
-  const double of_the_library = area();
-  auto shorter = std::make_shared<FrameSnapshot>(*synthetic_frame(4, 0.10));
-  shorter->result.result *= 0.7;
-  scene.view.showFrame(shorter);
-  const double share = area() / of_the_library;  // 0.7 * 0.7, and the outline, which is as wide as before
-  EXPECT_GT(share, 0.49);
-  EXPECT_LT(share, 0.62);
+  for (const ScenePart who : {ScenePart::Leader, ScenePart::Follower}) {
+    Scene scene({who});
+    const QColor colour = who == ScenePart::Leader ? dark().active : dark().passive;
+    const auto area = [&scene, &colour] {
+      return static_cast<double>(pixels_of_hue(middle_of(picture_of(scene.view)), colour));
+    };
+    const double of_the_library = area();
+    auto shorter = std::make_shared<FrameSnapshot>(*synthetic_frame(4, 0.10));
+    shorter->result.result *= 0.7;
+    scene.view.showFrame(shorter);
+    const double share = area() / of_the_library;  // 0.7 * 0.7, and the outline, which is as wide as before
+    EXPECT_GT(share, 0.49) << colour.name().toStdString();
+    EXPECT_LT(share, 0.62) << colour.name().toStdString();
+  }
 }
 
 /// As in a film of a trace.
 TEST(SceneView, WithoutALibraryDrawsACharacterShorterThanTheRecordedOneThinner) {
-  SceneView view;
-  PartVisibility only_leader{};
-  only_leader[static_cast<std::size_t>(ScenePart::Leader)] = true;
-  view.resize(640, 480);
-  view.setVisibility(only_leader);
-  view.show();
-  const auto area_at = [&view](std::uint64_t index, double recorded, double shown) {
-    auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(index, 0.02 * static_cast<double>(index)));
-    frame->result.selected_pair *= recorded;
-    frame->result.result *= shown;
-    view.showFrame(frame);
-    return static_cast<double>(pixels_of_hue(middle_of(picture_of(view)), dark().active));
-  };
-  const double as_recorded = area_at(4, 1, 1), thinner = area_at(5, 1, 0.7), small = area_at(6, 0.7, 0.7);
-  EXPECT_LT(thinner / as_recorded, 0.62);
-  EXPECT_LT(thinner, 0.95 * small) << "the radii are those of whoever was recorded";
+  for (const ScenePart who : {ScenePart::Leader, ScenePart::Follower}) {
+    SceneView view;
+    PartVisibility only_one{};
+    only_one[static_cast<std::size_t>(who)] = true;
+    const QColor colour = who == ScenePart::Leader ? dark().active : dark().passive;
+    view.resize(640, 480);
+    view.setVisibility(only_one);
+    view.show();
+    const auto area_at = [&view, &colour](std::uint64_t index, double recorded, double shown) {
+      auto frame =
+          std::make_shared<FrameSnapshot>(*synthetic_frame(index, 0.02 * static_cast<double>(index)));
+      frame->result.selected_pair *= recorded;
+      frame->result.result *= shown;
+      view.showFrame(frame);
+      return static_cast<double>(pixels_of_hue(middle_of(picture_of(view)), colour));
+    };
+    const double as_recorded = area_at(4, 1, 1), thinner = area_at(5, 1, 0.7), small = area_at(6, 0.7, 0.7);
+    EXPECT_LT(thinner / as_recorded, 0.62) << colour.name().toStdString();
+    EXPECT_LT(thinner, 0.95 * small) << "the radii are those of whoever was recorded; "
+                                     << colour.name().toStdString();
+  }
 }
 
 /// A driver compiles its programs at the first picture, and a window that waits for that does not answer.
@@ -227,6 +235,24 @@ TEST(SceneView, DrawsLimbsThatOverlapWithTheirDepth) {
     with.view.showFrame(synthetic_frame(4, 0.1));
     EXPECT_EQ(labels[0]->text(), QString("4 mm (recorded 10)"));
   }
+}
+
+TEST(SceneView, DrawsLimbsThatOverlapAsThickAsTheShownBody) {
+  Scene scene({ScenePart::Contacts});
+  const auto area = [&scene](double height) {
+    const auto apart = std::make_shared<FrameSnapshot>(*frame_with_collision());
+    apart->result.result *= height;
+    const auto overlapping = std::make_shared<FrameSnapshot>(*apart);
+    apart->result.collisions.clear();
+    const auto picture = [&scene](const FrameSnapshotPtr& frame) {
+      scene.view.showFrame(frame);
+      for (QLabel* depth : scene.view.findChildren<QLabel*>("depth")) depth->hide();  // as large as before
+      return middle_of(picture_of(scene.view));
+    };
+    return difference(picture(apart), picture(overlapping));
+  };
+  const double tall = area(1), half = area(0.5);
+  EXPECT_LT(half / tall, 0.4) << "half as long and half as thick, and an outline as wide as before";
 }
 
 TEST(SceneView, StandsTheReferenceBesideTheResultAndMarksItThereToo) {

@@ -5,10 +5,13 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QMouseEvent>
+#include <QProxyStyle>
 #include <QScreen>
 #include <QSplitter>
 #include <QTabBar>
 #include <QTest>
+#include <QThread>
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <random>
@@ -163,6 +166,40 @@ TEST_F(Layout, AChangeOfColoursIsNotSeenInParts) {
   window().setTheme(widgets::Theme::Dark);  // before the first one is complete
   EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
   EXPECT_TRUE(window().updatesEnabled());
+}
+
+/// Takes longer for each widget than a turn of the event loop may, and counts those of one turn.
+class SlowColours : public QProxyStyle {
+ public:
+  void polish(QWidget* widget) override {
+    QProxyStyle::polish(widget);
+    QThread::msleep(25);
+    ++total;
+    most_at_once = std::max(most_at_once, ++m_at_once);
+    QMetaObject::invokeMethod(
+        this, [this] { m_at_once = 0; }, Qt::QueuedConnection);
+  }
+  using QProxyStyle::polish;
+  int total = 0, most_at_once = 0;
+
+ private:
+  int m_at_once = 0;
+};
+
+TEST_F(Layout, TheWindowAnswersWhileItsColoursChange) {
+  SlowColours slow;
+  QWidget other;
+  for (int i = 0; i < 4; ++i) (new QWidget(&other))->setStyle(&slow);
+  other.show();
+  ASSERT_TRUE(until([] { return !widgets::is_applying_theme(); }));
+  turn();
+  window().setTheme(widgets::Theme::Light);
+  slow.total = slow.most_at_once = 0;
+  EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
+  EXPECT_EQ(slow.total, 4);
+  EXPECT_LT(slow.most_at_once, slow.total);
+  window().setTheme(widgets::Theme::Dark);
+  EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
 }
 
 /// What is hidden is not polished for the new colours until it is shown.

@@ -16,6 +16,7 @@
 #include <set>
 
 #include "app/workbench/base/recent_files.hpp"
+#include "app/workbench/base/running_work.hpp"
 #include "app/workbench/shell/change_history.hpp"
 #include "app/workbench/shell/drop_hint.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -237,6 +238,7 @@ TEST_F(Shell, ARefusedSettingIsNamedAsInThePanelAndItsErrorLeavesWithTheNextValu
   EXPECT_EQ(bar.openErrors().size(), before + 1);
   window().document().changeSetting("alpha", "0.37");
   EXPECT_EQ(bar.openErrors().size(), before);
+  EXPECT_FALSE(bar.isVisible() && bar.text().startsWith("temporal smoothness: "));
 }
 
 /// Reading a long file takes seconds.
@@ -247,15 +249,18 @@ TEST_F(Shell, ABodyOfAFileIsMeasuredWhileTheWindowAnswers) {
   const auto body = [&document]() -> const BodyChoice& { return document.settings().active_body; };
   document.changeSetting("active-body", file);
   EXPECT_EQ(body().kind, BodyChoice::Kind::Library) << "not yet";
+  document.changeSetting("alpha", "0.19");
   ASSERT_TRUE(until([&] { return body().kind == BodyChoice::Kind::OfFile; }));
   EXPECT_TRUE(body().measured);
+  EXPECT_EQ(document.settings().alpha, 0.19) << "what was set meanwhile stays";
   document.changeSetting("alpha", "0.21");
-  EXPECT_TRUE(body().measured) << "another setting does not measure it again";
+  EXPECT_EQ(document.settings().alpha, 0.21) << "another setting does not measure it again";
+  EXPECT_TRUE(body().measured);
 
   document.changeSetting("active-body", "scale:0.9");
   document.changeSetting("active-body", file);
   document.changeSetting("active-body", "library");
-  QTest::qWait(200);
+  ASSERT_TRUE(until([] { return !RunningWork::any(); }));
   EXPECT_EQ(body().kind, BodyChoice::Kind::Library) << "the last one counts, whenever a file is read";
 
   const auto errors = window().messages().openErrors().size();

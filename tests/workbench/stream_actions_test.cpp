@@ -126,6 +126,10 @@ TEST_F(StreamActions, ASenderThatIsStartedAgainPlaysTheUserAgain) {
   ASSERT_TRUE(until([] { return !notice().isEmpty(); }));
   const StreamedPerformer again(clip(), to);
   ASSERT_TRUE(until([&] { return desk().user() != first; })) << first.toStdString();
+  for (const widgets::PerformerCard* card : panel().cards()) {
+    const QString name = QString::fromStdString(card->shown().performer);
+    EXPECT_EQ(card->part() == widgets::PerformerPart::User, name == desk().user()) << name.toStdString();
+  }
   EXPECT_TRUE(until([] { return notice().isEmpty(); })) << notice().toStdString();
 }
 
