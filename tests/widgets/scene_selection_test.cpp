@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTest>
+#include <algorithm>
 
 #include "core/motion/body/joint_set.hpp"
 #include "tests/widgets/pictures.hpp"
@@ -37,6 +39,36 @@ TEST(PartTableView, ShowsMillimetresAndSharesToTheHundredthAndMetresToATenthOfAM
     const int decimals = names[column].contains("[mm]") || names[column].contains("[%]") ? 2 : 4;
     EXPECT_EQ(values[column].section('.', 1).size(), decimals) << names[column].toStdString();
   }
+}
+
+TEST(PartTableView, SortsByNumbersAndTheChosenPartStaysChosen) {
+  PartTableView table;
+  table.setKind(TableOf::Edges);
+  table.showFrame(synthetic_frame(1, 0.1), nullptr);
+  const auto lengths = [&table] {
+    std::vector<double> found;
+    for (const PartTable::Row& row : table.shown().rows) found.push_back(row.values.front());
+    return found;
+  };
+  table.table().sortByColumn(1, Qt::DescendingOrder);
+  EXPECT_TRUE(std::is_sorted(lengths().rbegin(), lengths().rend()));
+  Selection asked;
+  QObject::connect(&table, &PartTableView::selectionRequested,
+                   [&asked](const Selection& selection) { asked = selection; });
+  table.table().selectRow(2);
+  EXPECT_EQ(asked, table.shown().rows[2].item);
+  const std::string name = table.shown().rows[2].name;
+  const auto chosen = [&table] {
+    return table.shown()
+        .rows[static_cast<std::size_t>(table.table().selectionModel()->selectedRows().at(0).row())]
+        .name;
+  };
+  table.table().sortByColumn(1, Qt::AscendingOrder);
+  EXPECT_TRUE(std::is_sorted(lengths().begin(), lengths().end()));
+  EXPECT_EQ(chosen(), name);
+  table.showFrame(synthetic_frame(0, 0.05), nullptr);  // back in time: at once
+  EXPECT_EQ(chosen(), name);
+  EXPECT_EQ(asked, table.shown().rows[static_cast<std::size_t>(table.table().currentIndex().row())].item);
 }
 
 TEST(SceneView, SelectsTheJointThatIsClickedAndKeepsItInOtherFrames) {

@@ -51,7 +51,7 @@ void TakeCoverage::append(const FrameSnapshot& frame) {
 }
 
 bool TakeCoverage::append_new(const FrameHistory& history) {
-  const auto frames = history.since(next_index_);
+  const auto frames = history.next_since(next_index_);
   for (const FrameSnapshotPtr& frame : frames) append(*frame);
   if (!frames.empty()) next_index_ = frames.back()->index + 1;
   return !frames.empty();

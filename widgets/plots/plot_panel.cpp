@@ -248,7 +248,7 @@ void PlotPanel::paintEvent(QPaintEvent*) {
 void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
                         const FrameSnapshotPtr& shown) {
   Parts& p = *m_parts;
-  for (const FrameSnapshotPtr& frame : history.since(p.next_index)) {
+  for (const FrameSnapshotPtr& frame : history.next_since(p.next_index)) {
     p.next_index = frame->index + 1;
     SampleTable::Row row{frame->time_s, frame->index, p.reader.read(*frame)};
     p.selection_reader.read(*frame, row.values);

@@ -159,7 +159,7 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   const double memory_first_s = history.span().memory_first_s;
   if (memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
   m_content.memory_first_s = memory_first_s;
-  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
+  for (const FrameSnapshotPtr& frame : history.next_since(m_nextIndex)) take(*frame);
   m_content.tracks.drop_before(playback.first_s);
   m_content.tracks.thin_older(newest_kept, older_kept);
   m_content.settings.evict_before(playback.first_s);

@@ -1,5 +1,8 @@
 #include "app/workbench/compare/comparison_desk.hpp"
 
+#include <thread>
+#include <utility>
+
 #include "app/workbench/compare/comparison_words.hpp"
 #include "app/workbench/document/document.hpp"
 #include "app/workbench/shell/frame_ticker.hpp"
@@ -20,6 +23,11 @@ std::optional<PairPose> pose_at(const FrameHistory& run, const FrameSnapshot& re
   const FrameSnapshotPtr frame = run.at(recorded.time_s);
   if (!frame || frame->index > recorded.index || recorded.index - frame->index > most_behind) return {};
   return frame->result.result;
+}
+
+/// The frames of a long comparison take a second to free.
+void free_elsewhere(std::shared_ptr<const Comparison> done) {
+  if (done.use_count() == 1) std::thread([last = std::move(done)]() mutable { last.reset(); }).detach();
 }
 
 }  // namespace
@@ -53,10 +61,10 @@ void ComparisonDesk::startSession() {
 }
 
 void ComparisonDesk::endSession() {
+  for (auto* each : {&m_whatIf.result, &m_shadow.result, &m_shown, &m_listed})
+    free_elsewhere(std::exchange(*each, nullptr));
   m_whatIf = {};
   m_shadow = {};
-  m_shown.reset();
-  m_listed.reset();
   m_cancelled.reset();
   m_scene.showComparison({}, {});
 }
@@ -133,7 +141,7 @@ void ComparisonDesk::ask(Work& work, const std::optional<ComparisonTask>& task) 
   work.asked = task;
   if (!task) {
     if (work.runner) work.runner->cancel();
-    work.result.reset();
+    free_elsewhere(std::exchange(work.result, nullptr));
     return;
   }
   const Material& material = m_document.session()->material();
@@ -159,7 +167,7 @@ void ComparisonDesk::choose(const CompareSituation& now) {
   else if (m_shadow.result && now.shown && now.shown->time_s >= m_shadow.result->task.from_s)
     chosen = m_shadow.result;
   if (chosen == m_shown) return;
-  m_shown = chosen;
+  free_elsewhere(std::exchange(m_shown, chosen));
   showGhosts();
 }
 
@@ -188,9 +196,9 @@ void ComparisonDesk::showPanel(const CompareSituation& now) {
   m_panel.showProgress(
       is_working && is_parked ? (m_whatIf.isOf(m_whatIf.asked) ? m_whatIf.result->fraction : 0) : -1);
   if (!m_shown || m_shown->steps.empty())
-    return m_listed.reset(), m_panel.showNothing(advice(now, m_shown.get()));
+    return free_elsewhere(std::exchange(m_listed, nullptr)), m_panel.showNothing(advice(now, m_shown.get()));
   if (m_shown == m_listed) return;
-  m_listed = m_shown;
+  free_elsewhere(std::exchange(m_listed, m_shown));
   m_panel.showFigures(m_shown->figures_a, m_shown->figures_b, m_shown->steps, note_of(*m_shown));
 }
 

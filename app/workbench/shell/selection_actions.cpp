@@ -77,7 +77,9 @@ void show_table(MainWindow& window, QPointer<QDialog>& dialog) {
   const auto show_frame = [&window, view] {
     const FrameSnapshotPtr& frame = window.ticker().shown();
     const FrameHistory* history = window.ticker().history();
-    if (frame) view->showFrame(frame, history ? history->stepped(frame->time_s, -1) : nullptr);
+    // The frame before may have to be read from disk.
+    if (frame && view->isDue(frame))
+      view->showFrame(frame, history ? history->stepped(frame->time_s, -1) : nullptr);
   };
   QObject::connect(&window.ticker(), &FrameTicker::frameReady, view, show_frame);
   QObject::connect(&window.selection(), &SelectionModel::selectionChanged, view,

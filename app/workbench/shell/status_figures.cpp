@@ -63,7 +63,7 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
   if (elapsed_s > 0) m_renderRate = static_cast<double>(rendered_frames - m_rendered) / elapsed_s;
   m_rendered = rendered_frames;
   FrameSnapshotPtr newest;
-  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) {
+  for (const FrameSnapshotPtr& frame : history.next_since(m_nextIndex)) {
     newest = frame;
     m_nextIndex = frame->index + 1;
     m_solve_us.push_back(frame->result.timing.total_us);

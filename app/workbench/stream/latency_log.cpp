@@ -14,7 +14,7 @@ void LatencyLog::clear() {
 }
 
 void LatencyLog::follow(const FrameHistory& history) {
-  for (const FrameSnapshotPtr& frame : history.since(m_next)) append(*frame);
+  for (const FrameSnapshotPtr& frame : history.next_since(m_next)) append(*frame);
 }
 
 void LatencyLog::append(const FrameSnapshot& frame) {

@@ -294,4 +294,24 @@ std::vector<FrameSnapshotPtr> FrameHistory::since(std::uint64_t index) const {
   return frames;
 }
 
+std::vector<FrameSnapshotPtr> FrameHistory::next_since(std::uint64_t index) const {
+  const auto [span, store] = view();
+  if (!store) return since(index);
+  const FrameStore::Span stored = store->span();
+  if (stored.frames == 0 || index <= stored.first_index) return since(index);
+  const std::uint64_t first_remembered =
+      span.frames > 0 ? span.first_index : std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t end = std::min(stored.last_index + 1, first_remembered);
+  // As thinned as they are when read at once.
+  const std::uint64_t left = end > index ? end - index : 0;
+  const std::uint64_t stride = (left + overview_frames - 1) / overview_frames;
+  while (index < end && end - index > stride * read_at_once) {
+    const std::uint64_t next = index + stride * read_at_once;
+    std::vector<FrameSnapshotPtr> frames = store->between(index, next - 1, read_at_once);
+    if (!frames.empty()) return frames;
+    index = next;  // none of these can be read
+  }
+  return since(index);
+}
+
 }  // namespace abrazo

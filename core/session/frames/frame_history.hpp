@@ -68,6 +68,11 @@ class FrameHistory {
   /// All frames whose index is at least `index`, for incremental readers. Frames that are only in the store
   /// are evenly thinned to at most `overview_frames`.
   std::vector<FrameSnapshotPtr> since(std::uint64_t index) const;
+  /// The same in several calls, for readers that come back and must not wait for the disk: reads at most
+  /// `read_at_once` frames of the store, unless `index` is its first, whose overview it keeps. Empty only if
+  /// there are no more.
+  std::vector<FrameSnapshotPtr> next_since(std::uint64_t index) const;
+  static constexpr std::size_t read_at_once = 128;
 
  private:
   std::pair<Span, std::shared_ptr<const FrameStore>> view() const;

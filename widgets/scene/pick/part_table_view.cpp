@@ -1,17 +1,22 @@
 #include "widgets/scene/pick/part_table_view.hpp"
 
+#include <QAbstractTableModel>
 #include <QApplication>
 #include <QButtonGroup>
 #include <QClipboard>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
-#include <QTableWidget>
+#include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/utf8.hpp"
@@ -20,30 +25,109 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int live_fill_ms = 500;
-constexpr int row_role = Qt::UserRole, number_role = Qt::UserRole + 1;
-
 /// As many as can be read; Copy has the same, the file all.
-int decimals_of(const QString& column) {
-  return column.contains("[mm]") || column.contains("[%]") ? 2 : 4;
+int decimals_of(const std::string& column) {
+  return column.find("[mm]") != std::string::npos || column.find("[%]") != std::string::npos ? 2 : 4;
 }
-
-/// Sorted by its number; what is none comes first.
-class NumberItem : public QTableWidgetItem {
- public:
-  NumberItem(double value, int decimals)
-      : QTableWidgetItem(std::isfinite(value) ? QString::number(value, 'f', decimals) : QString("–")) {
-    setData(number_role, std::isfinite(value) ? value : -1e300);
-    setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  }
-  bool operator<(const QTableWidgetItem& other) const override {
-    return data(number_role).toDouble() < other.data(number_role).toDouble();
-  }
-};
 
 }  // namespace
 
+/// Only cells that are seen become text: a frame has hundreds of edges, and twice a second they are others.
+class PartTableModel : public QAbstractTableModel {
+ public:
+  const PartTable& parts() const { return m_parts; }
+  const PartTable::Row& part(int row) const { return m_parts.rows[m_order[static_cast<std::size_t>(row)]]; }
+
+  void setParts(PartTable parts) {
+    const bool is_other_table = parts.columns != m_parts.columns || parts.rows.size() != m_parts.rows.size();
+    if (is_other_table) beginResetModel();
+    m_parts = std::move(parts);
+    order();
+    if (is_other_table) return endResetModel();
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+  }
+
+  int rowCount(const QModelIndex& parent = {}) const override {
+    return parent.isValid() ? 0 : static_cast<int>(m_parts.rows.size());
+  }
+  int columnCount(const QModelIndex& parent = {}) const override {
+    return parent.isValid() ? 0 : static_cast<int>(m_parts.columns.size()) + 1;
+  }
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return section == 0 ? QString("part") : text(m_parts.columns[static_cast<std::size_t>(section) - 1]);
+  }
+  QVariant data(const QModelIndex& at, int role) const override {
+    if (role == Qt::TextAlignmentRole && at.column() > 0) return int(Qt::AlignRight | Qt::AlignVCenter);
+    return role == Qt::DisplayRole ? QVariant(words(at.row(), at.column())) : QVariant();
+  }
+  QString words(int row, int column) const {
+    if (column == 0) return text(part(row).name);
+    const auto place = static_cast<std::size_t>(column) - 1;
+    const double value = part(row).values[place];
+    return std::isfinite(value) ? QString::number(value, 'f', decimals_of(m_parts.columns[place]))
+                                : QString("–");
+  }
+  void sort(int column, Qt::SortOrder direction) override {
+    m_column = column;
+    m_direction = direction;
+    emit layoutAboutToBeChanged();
+    const std::vector<std::size_t> before = m_order;
+    order();
+    const QModelIndexList kept = persistentIndexList();
+    QModelIndexList moved;
+    for (const QModelIndex& each : kept) {
+      const auto place =
+          std::find(m_order.begin(), m_order.end(), before[static_cast<std::size_t>(each.row())]);
+      moved << index(static_cast<int>(place - m_order.begin()), each.column());
+    }
+    changePersistentIndexList(kept, moved);
+    emit layoutChanged();
+  }
+  /// Of the part of this name; -1 if there is none.
+  int rowOf(const std::string& name) const {
+    for (int row = 0; row < rowCount(); ++row)
+      if (part(row).name == name) return row;
+    return -1;
+  }
+
+ private:
+  /// By the numbers; what is none comes first.
+  void order() {
+    m_order.resize(m_parts.rows.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t{0});
+    const auto place = static_cast<std::size_t>(std::max(m_column, 1)) - 1;
+    const auto number = [&](std::size_t row) {
+      const double value = m_parts.rows[row].values[place];
+      return std::isfinite(value) ? value : -1e300;
+    };
+    const auto comes_before = [&](std::size_t a, std::size_t b) {
+      return m_column <= 0 ? text(m_parts.rows[a].name) < text(m_parts.rows[b].name) : number(a) < number(b);
+    };
+    if (place >= m_parts.columns.size()) return;
+    std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) {
+      return m_direction == Qt::AscendingOrder ? comes_before(a, b) : comes_before(b, a);
+    });
+  }
+
+  PartTable m_parts;
+  std::vector<std::size_t> m_order;
+  int m_column = 0;
+  Qt::SortOrder m_direction = Qt::AscendingOrder;
+};
+
+PartTableView::~PartTableView() {
+  m_table->setModel(nullptr);  // the model goes before the view, which is a child
+}
+
 PartTableView::PartTableView(QWidget* parent)
-    : QWidget(parent), m_table(new QTableWidget(this)), m_count(new QLabel(this)) {
+    : QWidget(parent),
+      m_model(std::make_unique<PartTableModel>()),
+      m_table(new QTableView(this)),
+      m_count(new QLabel(this)) {
+  m_table->setModel(m_model.get());
+  m_table->setSortingEnabled(true);
+  m_table->sortByColumn(0, Qt::AscendingOrder);
   auto* column = new QVBoxLayout(this);
   auto* head = new QHBoxLayout;
   auto* kinds = new QButtonGroup(this);
@@ -86,7 +170,7 @@ PartTableView::PartTableView(QWidget* parent)
   key->setContext(Qt::WidgetWithChildrenShortcut);
   connect(key, &QShortcut::activated, this, to_clipboard);
   connect(csv, &QPushButton::clicked, this, &PartTableView::csvRequested);
-  connect(m_table, &QTableWidget::itemSelectionChanged, this, &PartTableView::chooseRow);
+  connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PartTableView::chooseRow);
 }
 
 void PartTableView::setKind(TableOf kind) {
@@ -95,11 +179,15 @@ void PartTableView::setKind(TableOf kind) {
   fill();
 }
 
-void PartTableView::showFrame(const FrameSnapshotPtr& frame, const FrameSnapshotPtr& before) {
-  if (frame == m_frame) return;
+bool PartTableView::isDue(const FrameSnapshotPtr& frame) const {
+  if (frame == m_frame) return false;
   const bool is_soon = m_frame && m_sinceFilled.isValid() && m_sinceFilled.elapsed() < live_fill_ms;
   const bool follows = m_frame && frame && frame->time_s > m_frame->time_s;
-  if (is_soon && follows) return;
+  return !is_soon || !follows;
+}
+
+void PartTableView::showFrame(const FrameSnapshotPtr& frame, const FrameSnapshotPtr& before) {
+  if (!isDue(frame)) return;
   m_frame = frame;
   m_before = before;
   fill();
@@ -115,31 +203,19 @@ void PartTableView::showSelection(const Selection& selection) {
 void PartTableView::fill() {
   if (!m_frame) return;
   m_isFilling = true;
-  m_rows = part_table(*m_frame, m_before.get(), m_kind, m_selection);
-  const bool is_other_table = m_table->columnCount() != static_cast<int>(m_rows.columns.size()) + 1;
-  m_table->setSortingEnabled(false);
-  m_table->setRowCount(static_cast<int>(m_rows.rows.size()));
-  m_table->setColumnCount(static_cast<int>(m_rows.columns.size()) + 1);
-  QStringList names = {"part"};
-  for (const std::string& name : m_rows.columns) names << text(name);
-  m_table->setHorizontalHeaderLabels(names);
-  for (int row = 0; row < m_table->rowCount(); ++row) {
-    const PartTable::Row& figures = m_rows.rows[static_cast<std::size_t>(row)];
-    auto* name = new QTableWidgetItem(text(figures.name));
-    name->setData(row_role, row);
-    m_table->setItem(row, 0, name);
-    for (int column = 1; column < m_table->columnCount(); ++column)
-      m_table->setItem(
-          row, column,
-          new NumberItem(figures.values[static_cast<std::size_t>(column) - 1], decimals_of(names[column])));
-  }
-  m_table->setSortingEnabled(true);
+  PartTable parts = part_table(*m_frame, m_before.get(), m_kind, m_selection);
+  const bool is_other_table = parts.columns != m_model->parts().columns;
+  const QModelIndexList chosen = m_table->selectionModel()->selectedRows();
+  const std::string name = chosen.isEmpty() ? std::string() : m_model->part(chosen.front().row()).name;
+  m_model->setParts(std::move(parts));
+  const int row = chosen.isEmpty() ? -1 : m_model->rowOf(name);  // sorted by another value it is elsewhere
+  row < 0 ? m_table->clearSelection() : m_table->selectRow(row);
   if (is_other_table) {
     m_table->sortByColumn(0, Qt::AscendingOrder);
     m_table->resizeColumnsToContents();
   }
   m_count->setText(QString("%1 %2, frame %3 at %4 s")
-                       .arg(m_rows.rows.size())
+                       .arg(m_model->rowCount())
                        .arg(m_selection.is_of_mesh() ? "of the selection" : "in all")
                        .arg(m_frame->index)
                        .arg(m_frame->time_s, 0, 'f', 3));
@@ -148,30 +224,28 @@ void PartTableView::fill() {
 }
 
 PartTable PartTableView::shown() const {
-  PartTable sorted{m_rows.columns, {}};
-  for (int row = 0; row < m_table->rowCount(); ++row)
-    sorted.rows.push_back(
-        m_rows.rows[static_cast<std::size_t>(m_table->item(row, 0)->data(row_role).toInt())]);
+  PartTable sorted{m_model->parts().columns, {}};
+  for (int row = 0; row < m_model->rowCount(); ++row) sorted.rows.push_back(m_model->part(row));
   return sorted;
 }
 
 QString PartTableView::copied() const {
   QString text;
-  for (int row = -1; row < m_table->rowCount(); ++row) {
+  for (int row = -1; row < m_model->rowCount(); ++row) {
     QStringList fields;
-    for (int column = 0; column < m_table->columnCount(); ++column)
-      fields << (row < 0 ? m_table->horizontalHeaderItem(column) : m_table->item(row, column))->text();
+    for (int column = 0; column < m_model->columnCount(); ++column)
+      fields << (row < 0 ? m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
+                         : m_model->words(row, column));
     text += fields.join('\t') + '\n';
   }
   return text;
 }
 
 void PartTableView::chooseRow() {
-  const int row = m_table->currentRow();
-  if (m_isFilling || row < 0 || m_table->selectedItems().isEmpty()) return;
-  const int place = m_table->item(row, 0)->data(row_role).toInt();
+  const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+  if (m_isFilling || rows.isEmpty()) return;
   m_isChoosing = true;
-  emit selectionRequested(m_rows.rows[static_cast<std::size_t>(place)].item);
+  emit selectionRequested(m_model->part(rows.front().row()).item);
   m_isChoosing = false;
 }
 

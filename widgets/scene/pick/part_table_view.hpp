@@ -3,14 +3,17 @@
 #include <QElapsedTimer>
 #include <QWidget>
 #include <array>
+#include <memory>
 
 #include "widgets/scene/pick/part_table.hpp"
 
 class QLabel;
-class QTableWidget;
+class QTableView;
 class QToolButton;
 
 namespace abrazo::widgets {
+
+class PartTableModel;
 
 /// Figures of the selected joints, edges or tetrahedra of the shown frame, to be sorted and copied. A row
 /// that is chosen requests its part as the selection.
@@ -18,15 +21,18 @@ class PartTableView : public QWidget {
   Q_OBJECT
  public:
   explicit PartTableView(QWidget* parent = nullptr);
+  ~PartTableView() override;
   void setKind(TableOf kind);
   /// While frames follow each other the table changes twice a second, to be readable.
   /// @param before  the frame before, for velocities; may be null
   void showFrame(const FrameSnapshotPtr& frame, const FrameSnapshotPtr& before);
+  /// Whether showFrame() would show this frame now.
+  bool isDue(const FrameSnapshotPtr& frame) const;
   /// The rows in the order of the view.
   PartTable shown() const;
   /// The rows with tabs between the columns, as the view has them.
   QString copied() const;
-  QTableWidget& table() { return *m_table; }
+  QTableView& table() { return *m_table; }
 
  public slots:
   void showSelection(const abrazo::widgets::Selection& selection);
@@ -42,10 +48,10 @@ class PartTableView : public QWidget {
   TableOf m_kind = TableOf::Edges;
   Selection m_selection;
   FrameSnapshotPtr m_frame, m_before;
-  PartTable m_rows;
   QElapsedTimer m_sinceFilled;
   bool m_isFilling = false, m_isChoosing = false;
-  QTableWidget* m_table;
+  std::unique_ptr<PartTableModel> m_model;  // destroyed after the view that reads it
+  QTableView* m_table;
   QLabel* m_count;
   std::array<QToolButton*, 3> m_kinds{};
 };
