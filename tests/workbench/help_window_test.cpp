@@ -12,6 +12,7 @@
 #include "app/workbench/keys/command_meaning.hpp"
 #include "app/workbench/keys/command_row.hpp"
 #include "app/workbench/keys/help_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/demo_window.hpp"
 
 namespace abrazo::app::help_window_test {
@@ -93,6 +94,22 @@ TEST_F(HelpAndSearch, ReturnRunsTheFirstThatWasFound) {
   auto& dialog = *window().findChild<ExportDialog*>();
   EXPECT_TRUE(until([&] { return dialog.isVisible(); }));
   dialog.hide();
+}
+
+/// It opened a panel and closed it again, when its whole name was typed.
+TEST_F(HelpAndSearch, ReturnInTheListRunsACommandOnce) {
+  for (int times = 0; times < 3; ++times) {
+    const bool before = window().panels().isWanted("video");
+    type("Video panel");
+    QAbstractItemView* list = field().completer()->popup();
+    ASSERT_TRUE(list->isVisible());
+    list->setCurrentIndex(list->model()->index(0, 0));
+    QTest::keyClick(list, Qt::Key_Return);
+    turn();
+    EXPECT_NE(window().panels().isWanted("video"), before) << times;
+    leave();
+  }
+  window().panels().want("video", false);
 }
 
 TEST_F(HelpAndSearch, F1ShowsTheGuideAndTheKeys) {

@@ -1,10 +1,13 @@
 // The history of a session in the whole window: held, on disk, left behind; and a pin on a parked frame.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QMessageBox>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 
 #include "app/workbench/compare/comparison_desk.hpp"
@@ -127,6 +130,44 @@ TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAbout
   HistoryDesk::discard(folder + "/1.abrazo");
   desk().long_s = 300;
   desk().ask = before;
+}
+
+/// "Save?" was followed by "Keep the history?".
+TEST_F(HistoryInTheWindow, ClosingWithChangesAndALongHistoryIsOneQuestion) {
+  auto& project = *window().findChild<ProjectDesk*>();
+  project.setAsks(true);
+  Markers markers = window().document().markers();
+  markers.add(0.1, "turn");
+  window().document().changeMarkers(markers, "add marker");
+  desk().long_s = 0.1;
+  int asked = 0;
+  const auto own_ask = desk().ask;
+  desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Cancel; };
+  const auto answer = [&asked](const QString& button) {
+    QTimer::singleShot(100, [&asked, button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(box);
+      ++asked;
+      EXPECT_TRUE(box->informativeText().contains("in no session file"));
+      for (QAbstractButton* each : box->buttons())
+        if (each->text().remove('&') == button) return each->click();
+      ADD_FAILURE() << "no button " << button.toStdString();
+      box->reject();
+    });
+  };
+  const QString folder = desk().folder();
+  answer("Cancel");
+  window().openDemo();
+  EXPECT_EQ(desk().folder(), folder) << "the session stays";
+  answer("Keep history");
+  window().openDemo();
+  EXPECT_EQ(asked, 2) << "once each";
+  ASSERT_TRUE(until([&] { return !desk().folder().isEmpty() && desk().folder() != folder; }));
+  EXPECT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()).size(), 1) << "offered at the next start";
+  HistoryDesk::discard(folder + "/1.abrazo");
+  project.setAsks(false);
+  desk().long_s = 300;
+  desk().ask = own_ask;
 }
 
 TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {

@@ -164,7 +164,7 @@ TEST_F(Keymap, NoTwoActionsShareAKeyWhereBothWork) {
 TEST_F(Keymap, EveryActionHasAnIdOfItsOwnMadeOfItsPlaceInTheMenus) {
   EXPECT_TRUE(table().find("play.play_or_pause"));
   EXPECT_TRUE(table().find("edit.undo"));
-  EXPECT_TRUE(table().find("view.select_nothing"));
+  EXPECT_TRUE(table().find("view_selection.select_nothing"));
   std::set<std::string> ids;
   for (const Shortcut& each : table().all()) {
     EXPECT_TRUE(ids.insert(each.id).second) << each.id;

@@ -1,16 +1,22 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QGuiApplication>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMouseEvent>
 #include <QProxyStyle>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QTabBar>
 #include <QTest>
 #include <QThread>
+#include <QWheelEvent>
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -468,6 +474,107 @@ TEST_F(Layout, FiveSettingsAreInViewBelowTheCandidates) {
   EXPECT_GE(whole_rows(), 5) << "also from the beginning";
 }
 
+/// Two panels that a person sees, one over the other; empty if there are none.
+std::string drawn_over_another(const PanelArea& area) {
+  for (const QDockWidget* one : area.panels())
+    for (const QDockWidget* other : area.panels())
+      if (one < other && !one->visibleRegion().isEmpty() && !other->visibleRegion().isEmpty() &&
+          one->geometry().intersects(other->geometry()))
+        return one->objectName().toStdString() + " and " + other->objectName().toStdString();
+  return {};
+}
+
+/// The settings had no title and presets below the video, the library had none below the recording: the
+/// tallest panel of a shared place, and those at the left, were not counted.
+TEST_F(Layout, NoPanelIsDrawnOverAnotherInASmallWindow) {
+  for (const QSize size : {QSize(1280, 720), QSize(1280, 700)}) {
+    window().resize(size);
+    for (const char* opened : {"video", "recording", "connection"}) {
+      area().want(opened, true);
+      QTest::qWait(80);
+      EXPECT_TRUE(until([] { return drawn_over_another(area()).empty(); }))
+          << drawn_over_another(area()) << " at " << size.height() << " with " << opened;
+    }
+    for (const char* opened : {"video", "recording", "connection"}) area().want(opened, false);
+  }
+}
+
+/// The view menu had a second column, and covered the whole window.
+TEST_F(Layout, EveryMenuIsOneColumnOnAScreenOfAThousandLines) {
+  ASSERT_LE(window().screen()->size().height(), 1000);
+  for (const QAction* action : window().menuBar()->actions())
+    if (QMenu* menu = action->menu(); menu && menu->actions().size() > 1) {
+      menu->adjustSize();  // lays it out
+      EXPECT_EQ(menu->actionGeometry(menu->actions().back()).left(),
+                menu->actionGeometry(menu->actions().front()).left())
+          << action->text().toStdString();
+    }
+}
+
+/// What scrolled the settings changed the energy of the running solver as soon as its list came under the
+/// pointer, and scrolled no further.
+TEST_F(Layout, TheWheelChangesNoChoiceInTheSettings) {
+  auto* list = window().settings().findChild<QScrollArea*>();
+  ASSERT_TRUE(list);
+  while (QWidget* popup = QApplication::activePopupWidget()) popup->close();  // it would get the wheel
+  ASSERT_TRUE(until([list] { return list->verticalScrollBar()->maximum() > 100; })) << "is laid out";
+  list->verticalScrollBar()->setValue(0);
+  const auto boxes = list->widget()->findChildren<QComboBox*>();
+  ASSERT_GE(boxes.size(), 3);
+  for (QComboBox* box : boxes) {
+    if (!box->isEnabled() || box->count() < 2) continue;
+    list->ensureWidgetVisible(box);
+    for (const bool has_focus : {false, true}) {
+      if (has_focus) box->setFocus();
+      for (const int notches : {-1, 1}) {
+        const int before = box->currentIndex();
+        const QPointF middle = box->rect().center();
+        QWheelEvent wheel(middle, box->mapToGlobal(middle.toPoint()), {}, {0, 120 * notches}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&wheel);  // as of a mouse: it is offered to the parents as well
+        QApplication::instance()->notify(box, &wheel);
+        EXPECT_EQ(box->currentIndex(), before) << box->accessibleName().toStdString();
+      }
+    }
+  }
+}
+
+/// The columns were as narrow as in the small window: words and a list of the settings were cut.
+TEST_F(Layout, AnArrangementOfASmallWindowHasItsUsualWidthsInALargeOne) {
+  QTest::qWait(40);
+  const int left = panel("library").width(), right = panel("settings").width();
+  window().resize(640, 400);
+  window().resetLayout();
+  QTest::qWait(60);
+  const WindowLayout small = area().state();
+  window().resize(1600, 1000);
+  window().resetLayout();
+  QTest::qWait(60);
+  ASSERT_TRUE(area().setState(small));
+  QTest::qWait(60);
+  EXPECT_NEAR(panel("library").width(), left, 2);
+  EXPECT_NEAR(panel("settings").width(), right, 2);
+}
+
+/// Of a window that is large again before it is closed.
+TEST_F(Layout, WidthsThatAPersonChoseAreSavedFromASmallWindowToo) {
+  QTest::qWait(40);
+  const QRect candidates = panel("candidates").geometry();
+  drag(area(), {candidates.left() - 2, candidates.center().y()}, {-90, 0});
+  const int width = panel("candidates").width();
+  window().resize(640, 400);
+  QTest::qWait(60);
+  const auto small = parse_layout(text_of(area().state()), "small.json");
+  ASSERT_TRUE(small);
+  window().resize(1600, 1000);
+  window().resetLayout();
+  QTest::qWait(60);
+  ASSERT_NE(panel("candidates").width(), width);
+  ASSERT_TRUE(area().setState(*small));
+  QTest::qWait(60);
+  EXPECT_NEAR(panel("candidates").width(), width, 2);
+}
+
 TEST_F(Layout, APanelThatIsMovedForgetsTheSizeItHadElsewhere) {
   QTest::qWait(40);
   area().want("plots", false);
@@ -531,6 +638,7 @@ TEST(WindowLayout, IsTheSameAfterWritingAndReading) {
   layout.shown = QStringList{"plots"};
   layout.sides = {true, {}, false};
   layout.timeline_height = 230;
+  layout.sizes = std::map<QString, QSize>{{"scene", {0, 410}}, {"plots", {900, 172}}};
   const auto read = parse_layout(text_of(layout), "a.json");
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, layout);

@@ -10,6 +10,7 @@
 #include <QStandardItemModel>
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -124,14 +125,17 @@ void add_command_search(QMainWindow& window) {
   row->addWidget(field);
   window.menuBar()->setCornerWidget(holder, Qt::TopRightCorner);
 
-  const auto run = [&window, field, model](QString text) {
+  // Return reaches both the list and the field: what it switched on would be off again.
+  const auto runs = std::make_shared<bool>(false);
+  const auto run = [&window, field, model, runs](QString text) {
     if (!find_action(window, text) && model->rowCount() > 0) text = model->item(0)->text();
     QAction* action = find_action(window, text);
-    if (!action) return;
+    if (!action || std::exchange(*runs, true)) return;
     // After the completer has put the text in.
     QMetaObject::invokeMethod(
         field,
-        [field, action] {
+        [field, action, runs] {
+          *runs = false;
           field->clear();
           field->clearFocus();
           action->trigger();

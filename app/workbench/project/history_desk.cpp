@@ -136,8 +136,8 @@ void HistoryDesk::take(Files& files) {
   m_window.session()->engine().keep_history(m_keeper);
 }
 
-void HistoryDesk::leaveSession(bool& allowed) {
-  if (!m_window.session() || !m_keeper) return;
+double HistoryDesk::unsaved() const {
+  if (!m_window.session() || !m_keeper) return 0;
   const auto span = m_window.session()->engine().history().span();
   const FrameSnapshotPtr newest = m_window.session()->latest().newest();
   const double rate_hz = newest ? newest->input_rate_hz : 0;
@@ -145,7 +145,12 @@ void HistoryDesk::leaveSession(bool& allowed) {
   // The time while an input was held has no frames.
   const double seconds = std::min(span.last_s - std::max(span.first_s, m_savedTo_s),
                                   rate_hz > 0 ? frames / rate_hz : span.last_s);
-  if (seconds < long_s) return;
+  return seconds < long_s ? 0 : seconds;
+}
+
+void HistoryDesk::leaveSession(bool& allowed) {
+  const double seconds = unsaved();
+  if (seconds <= 0) return;
   const Answer answer = ask(seconds);
   m_isLeft = answer == Answer::Keep;
   allowed = answer != Answer::Cancel;

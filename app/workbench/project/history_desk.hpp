@@ -30,6 +30,8 @@ class HistoryDesk : public QObject {
   const QString& folder() const { return m_folder; }
   /// The files stay for the next start.
   void leave() { m_isLeft = true; }
+  /// Of the session that is in no file: so much [s] that it is worth a question, else 0.
+  double unsaved() const;
   /// The session is about to end: asks whether to keep a long history. @param allowed  set to false if the
   /// user cancels
   void leaveSession(bool& allowed);

@@ -21,6 +21,8 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
     move_before(*menu, action, action_of(window, "file.generated_dance"));
   auto* history = new HistoryDesk(window);
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
+  QObject::connect(desk, &ProjectDesk::keepingHistory, history, &HistoryDesk::leave);
+  desk->unsavedHistory = [history] { return history->unsaved(); };
   QObject::connect(desk, &ProjectDesk::losingHistory, history, &HistoryDesk::leaveSession);
   QObject::connect(desk, &ProjectDesk::historySaved, history, &HistoryDesk::noteSaved);
   add_action(window, menu_of(window, "Timeline"), "History on disk…", {}, [history] { history->askBound(); });

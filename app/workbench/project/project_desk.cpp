@@ -14,6 +14,7 @@
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/session/frames/time_place.hpp"
 #include "core/session/run/save_session.hpp"
 #include "widgets/common/message_bar.hpp"
 
@@ -22,15 +23,24 @@ namespace {
 
 constexpr int settle_ms = 500;  // with the writing, changes are on disk well within 2 s
 
-ProjectDesk::Answer ask_person(MainWindow& window, const QString& name) {
+/// @param history_s  of the history, in no file; 0 = not worth a word
+ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, double history_s) {
   QMessageBox box(QMessageBox::Question, "Abrazo", "Save the changes to " + name + "?",
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
   box.setInformativeText(
-      "Otherwise annotations, markers, settings and decisions since the last save are lost. Recordings are "
-      "on "
-      "disk in any case; saving adds the history.");
+      QString(
+          "Otherwise annotations, markers, settings and decisions since the last save are lost. Recordings "
+          "are on disk in any case; saving adds the history.") +
+      (history_s > 0 ? QString(" %1 of it are in no session file: Discard deletes them as well; Keep history "
+                               "offers them as a session at the next start.")
+                           .arg(QString::fromStdString(clock_text(history_s)))
+                     : QString()));
   box.setDefaultButton(QMessageBox::Save);
-  switch (box.exec()) {
+  const QAbstractButton* keep =
+      history_s > 0 ? box.addButton("Keep history", QMessageBox::AcceptRole) : nullptr;
+  const int answer = box.exec();
+  if (keep && box.clickedButton() == keep) return ProjectDesk::Answer::KeepHistory;
+  switch (answer) {
     case QMessageBox::Save:
       return ProjectDesk::Answer::Save;
     case QMessageBox::Discard:
@@ -67,7 +77,7 @@ ProjectDesk::ProjectDesk(MainWindow& window, TakeDesk& takes)
   setObjectName("project desk");
   ask = [this] {
     const QString name = QFileInfo(file()).fileName();
-    return ask_person(m_window, name.isEmpty() ? "this session" : name);
+    return ask_person(m_window, name.isEmpty() ? "this session" : name, unsavedHistory());
   };
   askLibrary = [this] { return ask_about_library(m_window); };
   connect(&window, &MainWindow::leaving, this, &ProjectDesk::onLeaving);
@@ -263,11 +273,19 @@ void ProjectDesk::onLeaving(bool& allowed) {
   if (!m_asks || !m_hasSession || !allowed) return;
   if (m_job) waitForSave();  // it reads the history, which ends with the session
   refresh();
-  if (m_isModified) {
-    const Answer answer = ask();
-    if (answer == Answer::Cancel || (answer == Answer::Save && !saveAndWait())) allowed = false;
+  if (!m_isModified) return emit losingHistory(allowed);
+  switch (ask()) {
+    case Answer::Save:
+      allowed = saveAndWait();
+      if (allowed) emit losingHistory(allowed);
+      return;
+    case Answer::Discard:  // the history as well: the question said so
+      return;
+    case Answer::KeepHistory:
+      return emit keepingHistory();
+    case Answer::Cancel:
+      allowed = false;
   }
-  if (allowed) emit losingHistory(allowed);
 }
 
 bool ProjectDesk::waitForSave() {

@@ -43,8 +43,11 @@ class ProjectDesk : public QObject {
   bool isSaving() const { return m_job != nullptr; }
 
   /// Answers to "save changes?"; asked by a dialog unless a test overrides it.
-  enum class Answer { Save, Discard, Cancel };
+  enum class Answer { Save, Discard, KeepHistory, Cancel };
   std::function<Answer()> ask;
+  /// Seconds of the history that are in no file, if they are worth a question, else 0: one question asks
+  /// about both.
+  std::function<double()> unsavedHistory = [] { return 0.0; };
   /// Answers to "write the library beside it?", if the library is not a file yet.
   enum class LibraryAnswer { Write, SaveWithout, Cancel };
   std::function<LibraryAnswer()> askLibrary;
@@ -56,8 +59,10 @@ class ProjectDesk : public QObject {
   void historySaved(double until_s);
   /// Unsaved work stays for the next start.
   void leftForNextStart();
-  /// The session is about to end with its work saved or discarded: its history is deleted as well. @param
-  /// allowed set to false if the user cancels
+  /// Changes are discarded, and the history stays for the next start.
+  void keepingHistory();
+  /// The session is about to end without a change that was not saved: its history is deleted. @param allowed
+  /// set to false if the user cancels
   void losingHistory(bool& allowed);
   /// Name or modified state changed.
   void changed();

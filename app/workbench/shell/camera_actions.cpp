@@ -31,7 +31,7 @@ constexpr Preset presets[] = {
 }  // namespace
 
 void add_camera_actions(QMainWindow& window, widgets::SceneView& scene) {
-  QMenu* menu = menu_of(window, "View");
+  QMenu* menu = menu_of(window, "View")->addMenu("Camera");
   add_action(window, menu, "Show the selection, or all", {QKeySequence("F")},
              [&scene] { scene.frameSelection(); });
   add_action(window, menu, "Show all", {}, [&scene] { scene.frameAll(); });
@@ -42,6 +42,10 @@ void add_camera_actions(QMainWindow& window, widgets::SceneView& scene) {
   add_action(window, menu, "Previous view", {QKeySequence("Alt+Z")}, [&scene] { scene.previousView(); });
   add_action(window, menu, "Next view", {QKeySequence("Alt+Shift+Z")}, [&scene] { scene.nextView(); });
   menu->addSeparator();
+  QAction* follow = add_action(window, menu, "Camera follows the pair", {}, [] {});
+  follow->setCheckable(true);
+  follow->setChecked(true);
+  QObject::connect(follow, &QAction::toggled, &scene, &widgets::SceneView::setFollowing);
 }
 
 }  // namespace abrazo::app

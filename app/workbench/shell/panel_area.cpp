@@ -28,6 +28,16 @@ widgets::SectionHeader* head_for(QWidget* content, const QString& title) {
   return new widgets::SectionHeader(title);
 }
 
+/// That a panel of settings asks for on top of what it needs.
+int room_for_tuned(const QDockWidget& panel) {
+  const QWidget& kept = *panel.widget();
+  return std::max(0, kept.minimumHeight() - kept.minimumSizeHint().height());
+}
+
+int least_height(const QDockWidget& panel) {
+  return panel.minimumSizeHint().height() - (panel.objectName() == "settings" ? room_for_tuned(panel) : 0);
+}
+
 }  // namespace
 
 PanelArea::PanelArea() {
@@ -239,26 +249,52 @@ int PanelArea::heightOfTabs(QDockWidget* panel) const {
   return height;
 }
 
+/// Of the tallest of the panels that share it.
+int PanelArea::leastHeightOfPlace(QDockWidget* panel) const {
+  int height = least_height(*panel);
+  for (const QDockWidget* other : tabifiedDockWidgets(panel))
+    if (!other->isHidden()) height = std::max(height, least_height(*other));
+  return height + heightOfTabs(panel);
+}
+
+/// Of the places at this side above one another. @param without  a panel whose place does not count
+int PanelArea::leastHeight(Qt::DockWidgetArea side, const QDockWidget* without) const {
+  const int border = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+  std::set<const QDockWidget*> counted{without};
+  int height = 0;
+  for (const Panel& panel : m_panels) {
+    QDockWidget* dock = panel.dock;
+    if (dock->isHidden() || dock->isFloating() || dockWidgetArea(dock) != side) continue;
+    const QList<QDockWidget*> others = tabifiedDockWidgets(dock);
+    const auto is_counted = [&](const QDockWidget* other) { return counted.contains(other); };
+    if (is_counted(dock) || std::ranges::any_of(others, is_counted)) continue;
+    counted.insert(dock);
+    height += leastHeightOfPlace(dock) + (height > 0 ? border : 0);
+  }
+  return height;
+}
+
 int PanelArea::neededHeight() const {
-  QDockWidget *settings = panel("settings"), *candidates = panel("candidates");
+  QDockWidget* settings = panel("settings");
   if (!settings || settings->isHidden() || settings->isFloating() ||
       dockWidgetArea(settings) == Qt::BottomDockWidgetArea)
     return 0;
   constexpr int borders = 2;
   const int head = m_room.has_low_heads ? low_head : usual_head;
   const int own = head + borders + settings->widget()->sizeHint().height() + heightOfTabs(settings);
-  const bool shares = candidates && !candidates->isHidden() && !candidates->isFloating() &&
-                      dockWidgetArea(candidates) == dockWidgetArea(settings) &&
-                      !tabifiedDockWidgets(settings).contains(candidates);
-  return own + (shares ? candidates->minimumSizeHint().height() + heightOfTabs(candidates) : 0);
+  return own + leastHeight(dockWidgetArea(settings), settings);
 }
 
 QSize PanelArea::minimumSizeHint() const {
   QSize least = QMainWindow::minimumSizeHint();
-  if (const QDockWidget* settings = panel("settings")) {
-    const QWidget& kept = *settings->widget();
-    least.rheight() -= std::max(0, kept.minimumHeight() - kept.minimumSizeHint().height());
-  }
+  const QDockWidget* settings = panel("settings");
+  if (!settings) return least;
+  // Only the side of the settings can give way.
+  const int centre = centralWidget() ? centralWidget()->minimumSizeHint().height() : 0;
+  const int others = std::max({leastHeight(Qt::LeftDockWidgetArea), leastHeight(Qt::RightDockWidgetArea),
+                               centre + leastHeight(Qt::BottomDockWidgetArea)});
+  const int given = room_for_tuned(*settings);
+  least.setHeight(std::min(least.height(), std::max(least.height() - given, others)));
   return least;
 }
 
@@ -268,7 +304,13 @@ void PanelArea::keepTuned() {
   if (!settings) return;
   const int needed = neededHeight(), wanted = settings->widget()->sizeHint().height();
   const int lacking = std::max(0, needed - height());
-  settings->widget()->setMinimumHeight(needed > 0 ? std::max(0, wanted - lacking) : 0);
+  const int kept = needed > 0 ? std::max(0, wanted - lacking) : 0;
+  if (kept != settings->widget()->minimumHeight()) {
+    settings->widget()->setMinimumHeight(kept);
+    // As in setHeadHeight(): else the sizes are shared out with the height that it had.
+    settings->layout()->invalidate();
+    settings->layout()->activate();
+  }
   if (needed == std::exchange(m_needed, needed)) return;
   emit neededHeightChanged();
 }
@@ -373,6 +415,7 @@ WindowLayout PanelArea::state() const {
   WindowLayout layout;
   layout.docks = saveState(layout_version);
   layout.sides = m_wishes;
+  layout.sizes = m_sizes;
   for (const Panel& panel : m_panels) {
     layout.known << panel.dock->objectName();
     if (panel.wanted) layout.shown << panel.dock->objectName();
@@ -383,8 +426,8 @@ WindowLayout PanelArea::state() const {
 bool PanelArea::setState(const WindowLayout& layout) {
   if (!is_dock_state(layout.docks, layout_version) || !restoreState(layout.docks, layout_version))
     return false;
-  m_hasSizes = true;
-  m_sizes.clear();
+  m_hasSizes = !layout.sizes || !layout.sizes->empty();  // empty: of a window that had no room for panels
+  m_sizes = layout.sizes.value_or(std::map<QString, QSize>());
   m_wishes = layout.sides;
   for (Panel& panel : m_panels) {
     const QString id = panel.dock->objectName();
@@ -396,7 +439,9 @@ bool PanelArea::setState(const WindowLayout& layout) {
     emit wantedChanged(id, panel.wanted);
   }
   arrangeFor(m_window);
-  if (isVisible()) QTimer::singleShot(0, this, &PanelArea::rememberSizes);
+  if (!isVisible()) return true;
+  if (!m_hasSizes) applyUsualSizes();
+  QTimer::singleShot(0, this, &PanelArea::rememberSizes);
   return true;
 }
 

@@ -84,6 +84,8 @@ class PanelArea : public QMainWindow {
   void rememberSizes();
   static void setHeadHeight(const Panel& panel, int height);
   int heightOfTabs(QDockWidget* panel) const;
+  int leastHeightOfPlace(QDockWidget* panel) const;
+  int leastHeight(Qt::DockWidgetArea side, const QDockWidget* without = nullptr) const;
   void keepTuned();
   void restoreSizes();
   void applyUsualSizes();

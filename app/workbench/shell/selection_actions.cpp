@@ -100,10 +100,10 @@ void show_table(MainWindow& window, QPointer<QDialog>& dialog) {
 
 void add_selection_actions(MainWindow& window) {
   link_views(window);
-  QMenu* menu = menu_of(window, "View");
+  menu_of(window, "View")->addSeparator();
+  QMenu* menu = menu_of(window, "View")->addMenu("Selection");
   SceneView& scene = window.scene();
   SelectionModel& model = window.selection();
-  menu->addSeparator();
   QAction* isolate = add_action(window, menu, "Isolate the selection", {QKeySequence("X")}, [] {});
   isolate->setCheckable(true);
   QObject::connect(isolate, &QAction::toggled, &scene, [&scene](bool on) {

@@ -3,7 +3,6 @@
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -26,11 +25,6 @@ void add_panel_actions(MainWindow& window, QMenu* menu) {
 
 void add_view_actions(MainWindow& window) {
   QMenu* menu = menu_of(window, "View");
-  widgets::SceneView& scene = window.scene();
-  QAction* follow = add_action(window, menu, "Camera follows the pair", {}, [] {});
-  follow->setCheckable(true);
-  follow->setChecked(true);
-  QObject::connect(follow, &QAction::toggled, &scene, &widgets::SceneView::setFollowing);
   menu->addSeparator();
   add_panel_actions(window, menu);
   QAction* light = add_action(window, menu, "Light colours", {}, [] {});

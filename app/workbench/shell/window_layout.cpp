@@ -25,10 +25,27 @@ QStringList names_of(const QJsonValue& value) {
   return names;
 }
 
+QJsonObject sizes_json(const std::map<QString, QSize>& sizes) {
+  QJsonObject object;
+  for (const auto& [id, size] : sizes) object[id] = QJsonArray{size.width(), size.height()};
+  return object;
+}
+
+std::map<QString, QSize> sizes_of(const QJsonObject& object) {
+  std::map<QString, QSize> sizes;
+  for (auto each = object.begin(); each != object.end(); ++each) {
+    const QJsonArray size = each.value().toArray();
+    if (size.size() == 2)
+      sizes[each.key()] = {std::clamp(size[0].toInt(), 0, tallest_px),
+                           std::clamp(size[1].toInt(), 0, tallest_px)};
+  }
+  return sizes;
+}
+
 }  // namespace
 
 QByteArray text_of(const WindowLayout& layout) {
-  const QJsonObject object{
+  QJsonObject object{
       {version_key, layout_version},
       {"docks", QString::fromLatin1(layout.docks.toBase64())},
       {"known", QJsonArray::fromStringList(layout.known)},
@@ -37,6 +54,7 @@ QByteArray text_of(const WindowLayout& layout) {
       {"right", wish_json(layout.sides.right)},
       {"below", wish_json(layout.sides.plots)},
       {"timeline_height", layout.timeline_height ? QJsonValue(*layout.timeline_height) : QJsonValue()}};
+  if (layout.sizes) object["sizes"] = sizes_json(*layout.sizes);
   return QJsonDocument(object).toJson();
 }
 
@@ -55,6 +73,8 @@ Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& fil
                   wish_of(object.value("below"))};
   if (const QJsonValue height = object.value("timeline_height"); height.isDouble())
     layout.timeline_height = std::clamp(height.toInt(), 0, tallest_px);
+  if (const QJsonValue sizes = object.value("sizes"); sizes.isObject())
+    layout.sizes = sizes_of(sizes.toObject());
   return layout;
 }
 

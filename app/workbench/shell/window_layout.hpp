@@ -1,7 +1,10 @@
 #pragma once
 
 #include <QByteArray>
+#include <QSize>
+#include <QString>
 #include <QStringList>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -19,6 +22,8 @@ struct WindowLayout {
   QStringList known, shown;  ///< known panels, and the wanted ones among them
   PanelWishes sides;
   std::optional<int> timeline_height;  ///< pixels, as a person chose it; 0 = minimum
+  /// Of panels as they were in a window with room for them; width 0 follows the window. None in older files.
+  std::optional<std::map<QString, QSize>> sizes;
 
   bool operator==(const WindowLayout&) const = default;
 };

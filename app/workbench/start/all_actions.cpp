@@ -11,6 +11,7 @@
 #include "app/workbench/stream/stream_desk.hpp"
 #include "app/workbench/takes/pair_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "widgets/common/wheel_to_scroll.hpp"
 #include "widgets/takes/take_panel.hpp"
 
 namespace abrazo::app {
@@ -59,6 +60,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_welcome_actions(window);
   add_command_search(window);
   shortcuts->begin();
+  new widgets::WheelToScroll(&window);
   new UndoOfText(window, window.undoStack());
   new KeyRouting(window, [label_keys](const QKeyEvent& event) { return label_keys->means(event); });
   return {project, streams, layouts, leftovers};

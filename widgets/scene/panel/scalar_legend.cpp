@@ -175,20 +175,22 @@ void ScalarLegend::mouseDoubleClickEvent(QMouseEvent*) {
 
 void ScalarLegend::askRange() {
   if (!(m_scale.upper > 0)) return;
-  const auto take = [this](const QString& typed) -> QString {
+  const QString upper = QString::number(m_scale.upper, 'g', 4);
+  // In the unit of the scale, whose numbers an example of another would contradict.
+  const QString shown = m_scale.has_lower ? QString::number(m_scale.lower, 'g', 4) + " to " + upper : upper;
+  const auto take = [this, shown](const QString& typed) -> QString {
     const auto range = typed_range(typed, m_scale.has_lower);
     if (!range)
       return "'" + typed +
-             (m_scale.has_lower ? "' is not a range; write its upper end above 0, or both as in 0.01 to 0.05"
-                                : "' is not an end of a range; write a number above 0");
+             (m_scale.has_lower
+                  ? "' is not a range; write its upper end above 0, or both as in " + shown
+                  : QString("' is not an end of a range; write a number above 0, both ends follow it"));
     setLocked(true);
     emit rangeRequested(range->lower, range->upper);
     return {};
   };
-  const QString upper = QString::number(m_scale.upper, 'g', 4);
-  RangeEntry::open(
-      *this, (m_scale.has_lower ? "Range, as in 0.01 to 0.05: " : "Upper end of the range: ") + m_scale.title,
-      m_scale.has_lower ? QString::number(m_scale.lower, 'g', 4) + " to " + upper : upper, take);
+  RangeEntry::open(*this, (m_scale.has_lower ? "Range: " : "Upper end of the range: ") + m_scale.title, shown,
+                   take);
 }
 
 void ScalarLegend::contextMenuEvent(QContextMenuEvent* event) {
