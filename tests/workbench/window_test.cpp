@@ -1,14 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
+#include <QWheelEvent>
 #include <utility>
 
 #include "app/workbench/shell/status_figures.hpp"
@@ -193,6 +197,37 @@ TEST_F(Window, ASettingReachesTheRunningSolverAndUndoTakesItBack) {
 }
 
 /// Every fourth pose of a clip was "lost" with the preset paper, and came "in 15 Hz".
+/// What scrolled the settings changed the energy of the running solver as soon as its list came under the
+/// pointer, and scrolled no further.
+TEST_F(Window, TheWheelScrollsTheSettingsAndChangesNoChoiceInThem) {
+  auto* list = window().settings().findChild<QScrollArea*>();
+  ASSERT_TRUE(list);
+  while (QWidget* popup = QApplication::activePopupWidget()) popup->close();  // it would get the wheel
+  ASSERT_TRUE(until([list] { return list->verticalScrollBar()->maximum() > 100; })) << "is laid out";
+  list->verticalScrollBar()->setValue(0);
+  const auto boxes = list->widget()->findChildren<QComboBox*>();
+  ASSERT_GE(boxes.size(), 3);
+  int tried = 0;
+  for (QComboBox* box : boxes) {
+    if (!box->isEnabled() || box->count() < 2) continue;
+    ++tried;
+    list->ensureWidgetVisible(box);
+    for (const bool has_focus : {false, true}) {
+      if (has_focus) box->setFocus();
+      for (const int notches : {-1, 1}) {
+        const int before = box->currentIndex();
+        const QPointF middle = box->rect().center();
+        QWheelEvent wheel(middle, box->mapToGlobal(middle.toPoint()), {}, {0, 120 * notches}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&wheel);  // as of a mouse: it is offered to the parents as well
+        QApplication::instance()->notify(box, &wheel);
+        EXPECT_EQ(box->currentIndex(), before) << box->accessibleName().toStdString();
+      }
+    }
+  }
+  EXPECT_GE(tried, 3);
+}
+
 TEST_F(Window, TheStatusBarTellsWhatComesInFromWhatIsSolved) {
   const auto says = [](const QString& words) {
     return until([&] { return window().status().words().contains(words); });

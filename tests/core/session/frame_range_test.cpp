@@ -73,6 +73,25 @@ class Stretch : public testing::Test {
   FrameHistory history;
 };
 
+/// A view that was hidden has thousands of frames to catch up with, and the window does not wait for the
+/// disk.
+TEST_F(Stretch, IsCaughtUpWithInParts) {
+  store->lost_from = 1200;
+  store->lost_to = 1500;
+  std::vector<std::uint64_t> found;
+  std::uint64_t next = 1000;
+  while (true) {
+    const std::vector<FrameSnapshotPtr> frames = history.next_since(next);
+    if (frames.empty()) break;
+    for (const FrameSnapshotPtr& frame : frames) found.push_back(frame->index);
+    next = found.back() + 1;
+  }
+  std::vector<std::uint64_t> expected = all(1000, 1200);
+  for (const std::uint64_t index : all(1500, 5100)) expected.push_back(index);
+  EXPECT_EQ(found, expected);
+  EXPECT_LE(store->most_at_once, FrameHistory::read_at_once);
+}
+
 TEST_F(Stretch, GivesEveryFrameOnceWhereverItIs) {
   EXPECT_EQ(indices(history.stretch(0, 100)), all(0, 5100));
   EXPECT_EQ(indices(history.stretch(39.5, 40.5)), all(3950, 4051));
