@@ -14,6 +14,7 @@ inline void return_freed_memory() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);  // smaller ones cost pictures per second: new pages for each frame
   ::mallopt(M_TRIM_THRESHOLD, 16 << 20);
+  ::mallopt(M_ARENA_MAX, 2);
 #endif
 }
 
