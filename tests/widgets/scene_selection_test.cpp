@@ -51,7 +51,8 @@ TEST(PartTableView, SortsByNumbersAndTheChosenPartStaysChosen) {
     return found;
   };
   table.table().sortByColumn(1, Qt::DescendingOrder);
-  EXPECT_TRUE(std::is_sorted(lengths().rbegin(), lengths().rend()));
+  const std::vector<double> falling = lengths();
+  EXPECT_TRUE(std::is_sorted(falling.rbegin(), falling.rend()));
   Selection asked;
   QObject::connect(&table, &PartTableView::selectionRequested,
                    [&asked](const Selection& selection) { asked = selection; });
@@ -64,7 +65,8 @@ TEST(PartTableView, SortsByNumbersAndTheChosenPartStaysChosen) {
         .name;
   };
   table.table().sortByColumn(1, Qt::AscendingOrder);
-  EXPECT_TRUE(std::is_sorted(lengths().begin(), lengths().end()));
+  const std::vector<double> rising = lengths();
+  EXPECT_TRUE(std::is_sorted(rising.begin(), rising.end()));
   EXPECT_EQ(chosen(), name);
   table.showFrame(synthetic_frame(0, 0.05), nullptr);  // back in time: at once
   EXPECT_EQ(chosen(), name);
