@@ -25,9 +25,11 @@ std::optional<PairPose> pose_at(const FrameHistory& run, const FrameSnapshot& re
   return frame->result.result;
 }
 
-/// The frames of a long comparison take a second to free.
+/// The frames of a long comparison take a second to free. One that goes on shares them with its next state.
 void free_elsewhere(std::shared_ptr<const Comparison> done) {
-  if (done.use_count() == 1) std::thread([last = std::move(done)]() mutable { last.reset(); }).detach();
+  if (done.use_count() != 1) return;
+  if (done->a.use_count() != 1 && done->b.use_count() != 1) return;
+  std::thread([last = std::move(done)]() mutable { last.reset(); }).detach();
 }
 
 }  // namespace
@@ -155,7 +157,7 @@ void ComparisonDesk::poll(Work& work) {
   if (!work.runner) return;
   if (auto result = work.runner->take_if_newer(work.seen);
       result && work.asked && result->task == *work.asked)
-    work.result = std::move(result);
+    free_elsewhere(std::exchange(work.result, std::move(result)));
 }
 
 /// The comparison that covers the cursor.

@@ -35,6 +35,7 @@ int decimals_of(const std::string& column) {
 /// Only cells that are seen become text: a frame has hundreds of edges, and twice a second they are others.
 class PartTableModel : public QAbstractTableModel {
  public:
+  using QAbstractTableModel::QAbstractTableModel;
   const PartTable& parts() const { return m_parts; }
   const PartTable::Row& part(int row) const { return m_parts.rows[m_order[static_cast<std::size_t>(row)]]; }
 
@@ -116,16 +117,12 @@ class PartTableModel : public QAbstractTableModel {
   Qt::SortOrder m_direction = Qt::AscendingOrder;
 };
 
-PartTableView::~PartTableView() {
-  m_table->setModel(nullptr);  // the model goes before the view, which is a child
-}
-
 PartTableView::PartTableView(QWidget* parent)
     : QWidget(parent),
-      m_model(std::make_unique<PartTableModel>()),
+      m_model(new PartTableModel(this)),
       m_table(new QTableView(this)),
       m_count(new QLabel(this)) {
-  m_table->setModel(m_model.get());
+  m_table->setModel(m_model);
   m_table->setSortingEnabled(true);
   m_table->sortByColumn(0, Qt::AscendingOrder);
   auto* column = new QVBoxLayout(this);

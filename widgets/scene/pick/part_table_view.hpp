@@ -3,7 +3,6 @@
 #include <QElapsedTimer>
 #include <QWidget>
 #include <array>
-#include <memory>
 
 #include "widgets/scene/pick/part_table.hpp"
 
@@ -21,7 +20,6 @@ class PartTableView : public QWidget {
   Q_OBJECT
  public:
   explicit PartTableView(QWidget* parent = nullptr);
-  ~PartTableView() override;
   void setKind(TableOf kind);
   /// While frames follow each other the table changes twice a second, to be readable.
   /// @param before  the frame before, for velocities; may be null
@@ -50,7 +48,7 @@ class PartTableView : public QWidget {
   FrameSnapshotPtr m_frame, m_before;
   QElapsedTimer m_sinceFilled;
   bool m_isFilling = false, m_isChoosing = false;
-  std::unique_ptr<PartTableModel> m_model;  // destroyed after the view that reads it
+  PartTableModel* m_model;
   QTableView* m_table;
   QLabel* m_count;
   std::array<QToolButton*, 3> m_kinds{};
