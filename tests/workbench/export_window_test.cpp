@@ -318,6 +318,26 @@ TEST_F(ExportWindow, FilesOfTheBodiesAreReplacedOnlyWhenThePersonSaysSo) {
   EXPECT_EQ(content("twice_active.glb").substr(0, 4), "glTF");
 }
 
+TEST_F(ExportWindow, ATypedEndingIsAChoiceOfTheType) {
+  choose("What", 2);  // labels
+  choose("As", ".eaf");
+  EXPECT_EQ(exportTo("typed.csv", QMessageBox::No), QString());
+  EXPECT_THAT(content("typed.csv"), HasSubstr("start")) << "a table";
+  EXPECT_EQ(box("As").currentData().toString(), ".csv");
+  EXPECT_EQ(exportTo("typed.unknown", QMessageBox::No), QString());
+  EXPECT_EQ(QDir(home().path()).entryList({"typed*"}), QStringList({"typed.csv", "typed.unknown.csv"}));
+}
+
+TEST_F(ExportWindow, ANameWithoutAnEndingReplacesNoFileUnasked) {
+  choose("What", 2);  // labels
+  choose("As", ".eaf");
+  ASSERT_TRUE(write_whole_file(file("mine.eaf").toStdString(), "mine"));
+  EXPECT_EQ(exportTo("mine", QMessageBox::No), QString("Replace mine.eaf?"));
+  EXPECT_EQ(content("mine.eaf"), "mine");
+  EXPECT_EQ(exportTo("mine", QMessageBox::Yes), QString("Replace mine.eaf?"));
+  EXPECT_THAT(content("mine.eaf"), HasSubstr("ANNOTATION_DOCUMENT"));
+}
+
 TEST_F(ExportWindow, ACharacterIsWrittenInTheSameBytesAsByTheCommandLine) {
   auto& takes = *window().findChild<TakeDesk*>();
   takes.toggle();

@@ -1,7 +1,6 @@
 #include "widgets/stream/address_form.hpp"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QIntValidator>
 #include <QLabel>
@@ -9,6 +8,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
@@ -215,7 +215,7 @@ void AddressForm::press() {
 }
 
 void AddressForm::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(this, "Clip to replay", {}, "Motions (*.bvh *.amc)");
+  const QString file = choose_file(this, "Clip to replay", {}, "Motions (*.bvh *.amc)");
   if (file.isEmpty()) return;
   m_file->setText(file);
   fieldsChanged();

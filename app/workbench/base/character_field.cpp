@@ -1,10 +1,10 @@
 #include "app/workbench/base/character_field.hpp"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
 
 #include "app/workbench/base/choose_button.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
@@ -39,8 +39,8 @@ QString CharacterField::trouble() const {
 }
 
 void CharacterField::choose() {
-  const QString chosen = QFileDialog::getOpenFileName(this, "A humanoid character", m_folder,
-                                                      "Characters (*.glb *.vrm);;All files (*)");
+  const QString chosen =
+      widgets::choose_file(this, "A humanoid character", m_folder, "Characters (*.glb *.vrm);;All files (*)");
   if (!chosen.isEmpty()) setFile(chosen);
 }
 

@@ -1,6 +1,5 @@
 #include <QDialog>
 #include <QDir>
-#include <QFileDialog>
 #include <QMenu>
 #include <algorithm>
 #include <thread>
@@ -13,6 +12,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/sweep/sweep_report.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -26,16 +26,17 @@ using widgets::SweepPanel;
 
 constexpr double usual_step_us = 800;       ///< until a step was measured
 constexpr double share_of_measuring = 1.4;  ///< of a point's time, to that of its steps alone
-constexpr std::size_t measured_frames = 200;
+constexpr double measured_s = 2;
 
 /// Median time of the live solver's last steps.
 double step_us(MainWindow& window) {
   const FrameHistory* history = window.ticker().history();
   const auto span = history ? history->span() : FrameHistory::Span{};
   if (span.frames < 20) return usual_step_us;
-  const std::uint64_t end = span.evicted + span.frames;
   std::vector<double> times;
-  for (const FrameSnapshotPtr& frame : history->since(end - std::min<std::uint64_t>(end, measured_frames)))
+  // Of those in memory: the estimate follows the form, and does not wait for the disk.
+  for (const FrameSnapshotPtr& frame :
+       history->range(std::max(span.memory_first_s, span.last_s - measured_s), span.last_s))
     times.push_back(frame->result.timing.total_us);
   if (times.empty()) return usual_step_us;
   std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
@@ -71,9 +72,9 @@ void adopt(MainWindow& window, const SweepRun& run, int point) {
 }
 
 void export_report(MainWindow& window, QWidget* over, const SweepRun& run) {
-  const QString file = QFileDialog::getSaveFileName(
-      over, "Export the sweep", QDir(window.remembered().lastFolder()).filePath("sweep.html"),
-      "Page (*.html);;JSON (*.json)");
+  const QString file = widgets::choose_new_file(over, "Export the sweep",
+                                                QDir(window.remembered().lastFolder()).filePath("sweep.html"),
+                                                ".html", "Page (*.html);;JSON (*.json)");
   if (file.isEmpty()) return;
   const QString wrong = save_sweep(run.outcome(), file);
   wrong.isEmpty() ? window.messages().succeed("sweep", "Sweep written to " + file)

@@ -1,7 +1,6 @@
 #include <QAction>
 #include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
@@ -13,6 +12,7 @@
 #include "app/workbench/export/export_dialog.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -39,18 +39,14 @@ QString ask_file(MainWindow& window, ExportDialog& dialog, const ExportRequest& 
   const QString ending = QString::fromStdString(request.wish.output);
   const QString last = window.remembered().lastFolder();
   const QDir folder(last.isEmpty() ? QDir::homePath() : last);
-  // With a character the name itself is not written: may_replace asks about the files that are.
-  QString file = QFileDialog::getSaveFileName(
-      &dialog, "Export", folder.filePath(proposed_name(request)),
-      QString("%1 (*%2);;All files (*)").arg(ending.mid(1).toUpper(), ending), nullptr,
-      request.wish.character.empty() ? QFileDialog::Options() : QFileDialog::DontConfirmOverwrite);
-  if (!file.isEmpty() && !file.endsWith(ending)) file += ending;
-  return file;
+  // The typed name is not always the one of the files that are written: may_replace asks.
+  return widgets::choose_new_file(&dialog, "Export", folder.filePath(proposed_name(request)), ending,
+                                  QString("%1 (*%2);;All files (*)").arg(ending.mid(1).toUpper(), ending),
+                                  false);
 }
 
-/// Asks about files of the bodies that exist already.
+/// Asks about files that exist already: of the bodies, of the frames of a series.
 bool may_replace(ExportDialog& dialog, const ExportRequest& request, const QString& file) {
-  if (request.wish.character.empty()) return true;
   ExportWish wish = request.wish;
   wish.output = file.toStdString();
   QStringList replaced;
@@ -62,9 +58,14 @@ bool may_replace(ExportDialog& dialog, const ExportRequest& request, const QStri
 }
 
 void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
+  QString file = ask_file(window, dialog, dialog.request());
+  if (file.isEmpty()) return;
+  dialog.chooseTypeOf(file);
+  if (!dialog.canExport()) return;  // not as that type: the dialog says why
   const ExportRequest request = dialog.request();
-  const QString file = ask_file(window, dialog, request);
-  if (file.isEmpty() || !may_replace(dialog, request, file)) return;
+  const QString ending = QString::fromStdString(request.wish.output);
+  if (!file.endsWith(ending, Qt::CaseInsensitive)) file += ending;
+  if (!may_replace(dialog, request, file)) return;
   window.remembered().setLastFolder(QFileInfo(file).absolutePath());
   last_choices(window).setValue("choices", dialog.choices());
   dialog.hide();

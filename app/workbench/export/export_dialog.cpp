@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -184,6 +185,14 @@ void ExportDialog::chooseLabels(const QString& subject) {
   choose(m_what, Labels);
   choose(m_part, "all");
   if (!had_labels) choose(m_type, ".eaf");
+}
+
+void ExportDialog::chooseTypeOf(const QString& file) {
+  choose(m_type, "." + QFileInfo(file).suffix().toLower());
+}
+
+bool ExportDialog::canExport() const {
+  return m_export->isEnabled();
 }
 
 ExportOffer::Stretch ExportDialog::stretch() const {

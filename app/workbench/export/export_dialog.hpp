@@ -50,7 +50,11 @@ class ExportDialog : public QDialog {
   void chooseLabels(const QString& subject);
   /// Where the choice of a character starts.
   void setFolder(const QString& folder);
+  /// Chooses the type that a typed name ends with, if it is one of the offered ones.
+  void chooseTypeOf(const QString& file);
   ExportRequest request() const;
+  /// Whether the choices go together; if not, the dialog says why.
+  bool canExport() const;
   /// The last choices, for the next start. @see restore
   QStringList choices() const;
   void restore(const QStringList& choices);

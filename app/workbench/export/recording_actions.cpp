@@ -2,7 +2,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QElapsedTimer>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
@@ -14,6 +13,7 @@
 #include "app/workbench/export/view_recording.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -24,9 +24,7 @@ QString ask_file(MainWindow& window, QWidget* over, const QString& title) {
   QString folder = QStandardPaths::writableLocation(QStandardPaths::MoviesLocation);
   if (folder.isEmpty() || !QFileInfo(folder).isDir()) folder = window.remembered().lastFolder();
   const QString name = "abrazo-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + ".mp4";
-  QString file = QFileDialog::getSaveFileName(over, title, QDir(folder).filePath(name), "Video (*.mp4)");
-  if (!file.isEmpty() && QFileInfo(file).suffix().isEmpty()) file += ".mp4";
-  return file;
+  return widgets::choose_new_file(over, title, QDir(folder).filePath(name), ".mp4", "Video (*.mp4)");
 }
 
 void tell_end(MainWindow& window, const QString& trouble, const QString& words) {

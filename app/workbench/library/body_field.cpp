@@ -1,6 +1,5 @@
 #include "app/workbench/library/body_field.hpp"
 
-#include <QFileDialog>
 #include <QGridLayout>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "app/workbench/base/choose_button.hpp"
 #include "core/motion/body/body_choice.hpp"
 #include "core/motion/joints/motion_format.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/value_slider.hpp"
 #include "widgets/settings/body_box.hpp"
 
@@ -82,7 +82,7 @@ void BodyField::showSize() {
 }
 
 void BodyField::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(
+  const QString file = widgets::choose_file(
       this, "A motion file of one person", m_folder,
       QString("Motions (%1);;All files (*)").arg(QString::fromStdString(motion_file_patterns(true))));
   if (!file.isEmpty()) m_box->setEditText(file);

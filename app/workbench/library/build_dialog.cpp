@@ -1,7 +1,6 @@
 #include "app/workbench/library/build_dialog.hpp"
 
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -24,6 +23,7 @@
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/build_form.hpp"
 #include "core/motion/joints/motion_format.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
@@ -119,22 +119,23 @@ QWidget* BuildDialog::makeOverview() {
 }
 
 QLineEdit* BuildDialog::addPath(QGridLayout* grid, int row, const QString& name, const QString& tip,
-                                const QString& filter, bool to_write) {
+                                const QString& filter, const QString& ending) {
   auto* label = quiet_label(name);
   auto* field = new QLineEdit(this);
   widgets::describe(*field, name, tip);
-  field->setPlaceholderText(to_write ? "not saved" : "none");
+  field->setPlaceholderText(ending.isEmpty() ? "none" : "not saved");
   field->setClearButtonEnabled(true);
   label->setBuddy(field);
   auto* choose = choose_button(name, this);
-  connect(choose, &QToolButton::clicked, this, [this, field, name, filter, to_write] {
-    const QString file = to_write ? QFileDialog::getSaveFileName(this, name, field->text(), filter)
-                                  : QFileDialog::getOpenFileName(this, name, field->text(), filter);
+  connect(choose, &QToolButton::clicked, this, [this, field, name, filter, ending] {
+    const QString file = ending.isEmpty()
+                             ? widgets::choose_file(this, name, field->text(), filter)
+                             : widgets::choose_new_file(this, name, field->text(), ending, filter);
     if (file.isEmpty()) return;
     field->setText(file);
     if (field == m_labels) offerLabels();
   });
-  const int column = to_write ? 3 : 0;
+  const int column = ending.isEmpty() ? 0 : 3;
   grid->addWidget(label, row, column);
   grid->addWidget(field, row, column + 1);
   grid->addWidget(choose, row, column + 2);
@@ -153,13 +154,13 @@ QWidget* BuildDialog::makeOutputs() {
   grid->addWidget(label, 0, 0);
   grid->addWidget(m_name, 0, 1, 1, 2);
   m_labels = addPath(grid, 1, "Labels", "CSV: take,start_frame,end_frame,label[,detail,confidence]",
-                     "Labels (*.csv *.eaf *.json *.vtt *.srt);;All files (*)", false);
+                     "Labels (*.csv *.eaf *.json *.vtt *.srt);;All files (*)");
   m_library = addPath(grid, 0, "Save library", "Library file (.h5) that opens without building",
-                      "Libraries (*.h5)", true);
+                      "Libraries (*.h5)", ".h5");
   m_manifest =
       addPath(grid, 1, "Save manifest",
               "A .json with all choices made here: “abrazo library build” makes the same library from it",
-              "Manifests (*.json)", true);
+              "Manifests (*.json)", ".json");
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(4, 1);
   return box;
@@ -327,10 +328,10 @@ void BuildDialog::reject() {
 }
 
 void BuildDialog::chooseFiles() {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      this, "Add files", {},
-      QString("Motions, skeletons, labels (%1 *.eaf *.json *.vtt *.srt);;All files (*)")
-          .arg(QString::fromStdString(motion_file_patterns(true))));
+  const QStringList files =
+      widgets::choose_files(this, "Add files", {},
+                            QString("Motions, skeletons, labels (%1 *.eaf *.json *.vtt *.srt);;All files (*)")
+                                .arg(QString::fromStdString(motion_file_patterns(true))));
   if (files.isEmpty()) return;
   m_table->setFocus();  // what Return presses is Build again
   emit filesOffered(files);

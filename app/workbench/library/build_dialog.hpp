@@ -74,7 +74,7 @@ class BuildDialog : public QDialog {
   QWidget* makeOutputs();
   QWidget* makeFoot();
   QLineEdit* addPath(QGridLayout* grid, int row, const QString& name, const QString& tip,
-                     const QString& filter, bool to_write);
+                     const QString& filter, const QString& ending = {});
   void connectParts();
   void offerLabels();
   void showPlan();

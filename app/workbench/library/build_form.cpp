@@ -1,7 +1,6 @@
 #include "app/workbench/library/build_form.hpp"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -12,6 +11,7 @@
 
 #include "core/base/text.hpp"
 #include "core/motion/joints/marker_model.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
@@ -142,8 +142,7 @@ void BuildForm::reread(const std::function<bool(Manifest::Performer&, std::optio
 
 void BuildForm::chooseJoints() {
   QString name = m_joints->currentData().toString();
-  if (name == "…")
-    name = QFileDialog::getOpenFileName(this, "Joint map", {}, "Joint maps (*.json);;All files (*)");
+  if (name == "…") name = widgets::choose_file(this, "Joint map", {}, "Joint maps (*.json);;All files (*)");
   if (name.isEmpty() && m_joints->currentIndex() != 0) return show(m_rows);
   reread([&](Manifest::Performer& source, std::optional<double>&) {
     return put(source.joint_map, name.toStdString());
@@ -152,8 +151,7 @@ void BuildForm::chooseJoints() {
 
 void BuildForm::chooseSkeleton() {
   QString file = m_skeleton->currentData().toString();
-  if (file == "…")
-    file = QFileDialog::getOpenFileName(this, "Skeleton", {}, "Skeletons (*.asf);;All files (*)");
+  if (file == "…") file = widgets::choose_file(this, "Skeleton", {}, "Skeletons (*.asf);;All files (*)");
   if (file.isEmpty() && m_skeleton->currentIndex() != 0) return show(m_rows);
   reread([&](Manifest::Performer& source, std::optional<double>&) {
     source.skeleton = file.toStdString();

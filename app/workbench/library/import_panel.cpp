@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -22,6 +21,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_order.hpp"
 #include "core/opening/import_rules.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/section_header.hpp"
@@ -309,8 +309,8 @@ void ImportPanel::take(QComboBox* field) {
                                (may_be_anything ? " of metres" : " above 0") + ", or an entry of the list");
     (field == m_unit ? next.metres_per_unit : field == m_rate ? next.fps : next.floor_m) = value;
   } else if (field == m_joints && said() == from_file) {
-    const QString file = QFileDialog::getOpenFileName(this, "Joint map or marker model", {},
-                                                      "Joint maps and marker models (*.json);;All files (*)");
+    const QString file = widgets::choose_file(this, "Joint map or marker model", {},
+                                              "Joint maps and marker models (*.json);;All files (*)");
     if (file.isEmpty()) return showFields();
     next.joint_map = file.toStdString();
   } else {

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QCompleter>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -24,6 +23,7 @@
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
 #include "core/opening/joint_maps.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/library/motion_picture.hpp"
 
@@ -479,9 +479,9 @@ QString MappingDialog::state() const {
 
 void MappingDialog::save() {
   const QString file =
-      QFileDialog::getSaveFileName(this, namesMarkers() ? "Save marker model" : "Save joint map",
-                                   QString::fromStdString(m_motion.name) + ".json",
-                                   namesMarkers() ? "Marker models (*.json)" : "Joint maps (*.json)");
+      widgets::choose_new_file(this, namesMarkers() ? "Save marker model" : "Save joint map",
+                               QString::fromStdString(m_motion.name) + ".json", ".json",
+                               namesMarkers() ? "Marker models (*.json)" : "Joint maps (*.json)");
   if (!file.isEmpty()) saveTo(file);
 }
 
@@ -493,8 +493,8 @@ void MappingDialog::saveTo(const QString& file) {
 }
 
 void MappingDialog::load() {
-  const QString file = QFileDialog::getOpenFileName(this, "Joint map or marker model", {},
-                                                    "Joint maps and marker models (*.json);;All files (*)");
+  const QString file = widgets::choose_file(this, "Joint map or marker model", {},
+                                            "Joint maps and marker models (*.json);;All files (*)");
   if (!file.isEmpty()) loadFrom(file);
 }
 

@@ -3,7 +3,6 @@
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -20,6 +19,7 @@
 #include "app/workbench/library/body_field.hpp"
 #include "app/workbench/library/factor_field.hpp"
 #include "app/workbench/library/retarget_preview.hpp"
+#include "widgets/common/file_dialog.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -97,8 +97,7 @@ QWidget* RetargetDialog::makeTakes() {
   connect(m_takes, &QListWidget::itemSelectionChanged, this, &RetargetDialog::settle);
   connect(m_takes, &QListWidget::currentItemChanged, this, &RetargetDialog::settle);
   connect(manifest, &QToolButton::clicked, this, [this] {
-    const QString file =
-        QFileDialog::getOpenFileName(this, "Takes of a manifest", folder(), "Manifests (*.json)");
+    const QString file = widgets::choose_file(this, "Takes of a manifest", folder(), "Manifests (*.json)");
     if (!file.isEmpty()) emit manifestChosen(file);
   });
   return box;
@@ -183,7 +182,7 @@ QWidget* RetargetDialog::makeChoices() {
   for (BodyField* body : {m_leader, m_follower})
     connect(m_folder, &QLineEdit::textChanged, body, &BodyField::setFolder);
   connect(choose_folder, &QToolButton::clicked, this, [this] {
-    const QString chosen = QFileDialog::getExistingDirectory(this, "Folder of the files", folder());
+    const QString chosen = widgets::choose_folder(this, "Folder of the files", folder());
     if (!chosen.isEmpty()) setFolder(chosen);
   });
   return box;

@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QEventLoop>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -16,6 +15,7 @@
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/session/frames/time_place.hpp"
 #include "core/session/run/save_session.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -164,9 +164,8 @@ QString ProjectDesk::askFile() {
   const QString folder =
       file().isEmpty() ? m_window.remembered().lastFolder() : QFileInfo(file()).absolutePath();
   const QString name = file().isEmpty() ? "session.abrazo" : QFileInfo(file()).fileName();
-  QString chosen = QFileDialog::getSaveFileName(&m_window, "Save session as", QDir(folder).filePath(name),
-                                                "Sessions (*.abrazo)");
-  if (!chosen.isEmpty() && QFileInfo(chosen).suffix().isEmpty()) chosen += ".abrazo";
+  const QString chosen = widgets::choose_new_file(&m_window, "Save session as", QDir(folder).filePath(name),
+                                                  ".abrazo", "Sessions (*.abrazo)");
   if (!chosen.isEmpty()) m_window.remembered().setLastFolder(QFileInfo(chosen).absolutePath());
   return chosen;
 }

@@ -1,10 +1,10 @@
 #include "app/workbench/project/relocate_dialog.hpp"
 
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/plain_text.hpp"
 
 #include <QApplication>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
@@ -153,8 +153,8 @@ void RelocateDialog::locate() {
   if (index >= m_project->project().data.size()) return;
   const QString name = name_of(m_project->project().data[index]);
   const QString folder = QFileInfo(QString::fromStdString(m_project->file)).absolutePath();
-  const QString file = QFileDialog::getOpenFileName(this, "Where is " + name + " now?", folder,
-                                                    name + " (" + name + ");;All files (*)");
+  const QString file = widgets::choose_file(this, "Where is " + name + " now?", folder,
+                                            name + " (" + name + ");;All files (*)");
   if (!file.isEmpty()) pointOut(index, file);
 }
 

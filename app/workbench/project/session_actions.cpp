@@ -1,4 +1,3 @@
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -9,6 +8,7 @@
 #include "app/workbench/project/leftovers.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/file_dialog.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/leftover_bar.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 using widgets::LeftoverBar;
 
 void choose_session(MainWindow& window) {
-  const QStringList files = QFileDialog::getOpenFileNames(
+  const QStringList files = widgets::choose_files(
       &window, "Open session", sessions_folder(),
       "Sessions, with their library if it is elsewhere (*.abrazo *.h5 *.json);;All files (*)");
   if (!files.isEmpty()) window.openFiles(files);
