@@ -1,4 +1,6 @@
 // One's own keys, from the dialog to the next start.
+#include <QTextBrowser>
+
 #include "tests/workbench/key_window.hpp"
 
 namespace abrazo::app::shortcut_dialog_test {
@@ -82,7 +84,7 @@ TEST_F(Editing, TheKeySheetShowsTheKeysAsTheyAre) {
   shortcuts->change(changed);
   press(Qt::Key_Question);
   ASSERT_TRUE(until([] { return dialog("Keys") != nullptr; }));
-  EXPECT_TRUE(dialog("Keys")->findChild<QLabel*>()->text().contains("M, F7"));
+  EXPECT_TRUE(dialog("Keys")->findChild<QTextBrowser*>()->toPlainText().contains("M, F7"));
   changed.reset_all();
   shortcuts->change(changed);
 }

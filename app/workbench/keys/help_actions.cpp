@@ -1,13 +1,12 @@
 #include <QAction>
 #include <QDialog>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QShortcut>
+#include <QTextBrowser>
 #include <algorithm>
 
 #include "app/workbench/keys/help_window.hpp"
@@ -43,17 +42,17 @@ QDialog* show_sheet(MainWindow& window, const QString& title, const QString& htm
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(title);
   auto* column = widgets::column_in(dialog, {24, 16, 24, 20});
-  auto* text = new QLabel(html, dialog);
-  text->setTextFormat(Qt::RichText);
-  text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  auto* scroll = new QScrollArea(dialog);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(text);
-  scroll->setWidgetResizable(true);
-  scroll->setAccessibleName(title);
+  // A label lays a text of this length out seven times, which takes half a second.
+  auto* text = new QTextBrowser(dialog);
+  text->setFrameShape(QFrame::NoFrame);
+  text->viewport()->setAutoFillBackground(false);
+  text->setLineWrapMode(QTextEdit::NoWrap);
+  text->document()->setDocumentMargin(0);
+  text->setHtml(html);
+  text->setAccessibleName(title);
   const QSize room = QGuiApplication::primaryScreen()->availableSize() * 9 / 10;
-  scroll->setMinimumSize((text->sizeHint() + QSize(18, 4)).boundedTo(room - QSize(60, 90)));
-  column->addWidget(scroll);
+  text->setMinimumSize((text->document()->size().toSize() + QSize(18, 4)).boundedTo(room - QSize(60, 90)));
+  column->addWidget(text);
   QObject::connect(dialog, &QDialog::finished, &window, [&window] { window.activateWindow(); });
   return dialog;
 }
