@@ -25,6 +25,8 @@ constexpr std::size_t cached_frames = 512;
 constexpr std::int64_t most_passed_over = 512;
 /// Of the whole file: several views request it in turn, and again after a change of library.
 constexpr std::size_t kept_overview_frames = 4096;
+/// Pieces up to this length are cached: several views read through a file in turn.
+constexpr std::size_t cached_piece = cached_frames / 4;
 
 using Library = std::shared_ptr<const MotionLibrary>;
 
@@ -172,12 +174,17 @@ class FileFrames : public RecordedFrames {
     };
     if (first_index > span.last_index) return {};
     const std::int64_t begin = in_file(first_index), end = in_file(last_index);
-    const bool is_overview = begin == in_file(span.first_index) && most <= kept_overview_frames &&
-                             end - begin >= static_cast<std::int64_t>(most);
-    if (!is_overview) return read_between(begin, end, most);
-    if (overview_.frames.empty() || overview_.end != end || overview_.most != most)
-      overview_ = {end, most, read_between(begin, end, most)};
-    return overview_.frames;
+    if (overview_.is(begin, end, most)) return overview_.frames;
+    std::vector<FrameSnapshotPtr> frames = read_between(begin, end, most);
+    if (begin == in_file(span.first_index) && end == in_file(span.last_index) && most <= kept_overview_frames)
+      overview_ = {begin, end, most, frames};
+    return frames;
+  }
+
+  bool is_kept(std::uint64_t first_index, std::uint64_t last_index, std::size_t most) const override {
+    const std::scoped_lock lock(mutex_);
+    return overview_.is(static_cast<std::int64_t>(first_index + origin_.offset_frames),
+                        static_cast<std::int64_t>(last_index + origin_.offset_frames), most);
   }
 
   std::optional<std::uint64_t> state_before(std::uint64_t index) const override {
@@ -213,11 +220,17 @@ class FileFrames : public RecordedFrames {
     return std::nullopt;
   }
 
-  /// Of all up to a frame, thinned.
+  /// Of all up to a frame, thinned if they are more than `most`.
   struct Overview {
-    std::int64_t end = 0;
+    std::int64_t begin = 0, end = -1;
     std::size_t most = 0;
     std::vector<FrameSnapshotPtr> frames;
+
+    bool is(std::int64_t from, std::int64_t to, std::size_t at_most) const {
+      const auto count = static_cast<std::size_t>(end - begin + 1);
+      return !frames.empty() && from == begin && to == end &&
+             (at_most == most || (count <= at_most && count <= most));
+    }
   };
 
   Span read_span() const {
@@ -286,8 +299,12 @@ class FileFrames : public RecordedFrames {
     if (end < begin || most == 0) return frames;
     const auto count = static_cast<std::size_t>(end - begin) + 1;
     if (count <= most) {
+      const bool is_piece = count <= cached_piece;
+      if (is_piece && find_cached(begin, end, frames)) return frames;
       const auto pass = reader_->scan(begin, end, [&](FrameReader::Read& read) -> Status {
         frames.push_back(finished(read));
+        const auto index = static_cast<std::int64_t>(frames.back()->index + origin_.offset_frames);
+        if (is_piece && !cache_.find(index)) cache_.add(index, frames.back());
         return Done{};
       });
       if (!pass)
@@ -299,10 +316,21 @@ class FileFrames : public RecordedFrames {
     for (std::size_t i = 0; i < most; ++i) {
       // Whole numbers of up to 2^53 frames times thousands still fit.
       const auto step = most > 1 ? i * (count - 1) / (most - 1) : count - 1;
-      if (FrameSnapshotPtr frame = read_without_cache(begin + static_cast<std::int64_t>(step)))
+      const std::int64_t index = begin + static_cast<std::int64_t>(step);
+      if (FrameSnapshotPtr frame = most <= cached_piece ? read(index) : read_without_cache(index))
         frames.push_back(std::move(frame));
     }
     return frames;
+  }
+
+  /// @return whether all of them are cached; if not, `found` is empty
+  bool find_cached(std::int64_t begin, std::int64_t end, std::vector<FrameSnapshotPtr>& found) const {
+    for (std::int64_t index = begin; index <= end; ++index) {
+      FrameSnapshotPtr known = cache_.find(index);
+      if (!known) return found.clear(), false;
+      found.push_back(std::move(known));
+    }
+    return true;
   }
 
   FrameSnapshotPtr read_without_cache(std::int64_t index) const {

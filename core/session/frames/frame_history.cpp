@@ -298,15 +298,17 @@ std::vector<FrameSnapshotPtr> FrameHistory::next_since(std::uint64_t index) cons
   const auto [span, store] = view();
   if (!store) return since(index);
   const FrameStore::Span stored = store->span();
-  if (stored.frames == 0 || index <= stored.first_index) return since(index);
   const std::uint64_t first_remembered =
       span.frames > 0 ? span.first_index : std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t end = std::min(stored.last_index + 1, first_remembered);
+  index = std::max(index, stored.first_index);
+  if (stored.frames == 0 || index >= end) return since(index);
+  if (store->is_kept(index, end - 1, overview_frames)) return since(index);
   // As thinned as they are when read at once.
-  const std::uint64_t left = end > index ? end - index : 0;
-  const std::uint64_t stride = (left + overview_frames - 1) / overview_frames;
-  while (index < end && end - index > stride * read_at_once) {
-    const std::uint64_t next = index + stride * read_at_once;
+  const std::uint64_t whole = end - stored.first_index;
+  const std::uint64_t stride = (whole + overview_frames - 1) / overview_frames;
+  while (index < end) {
+    const std::uint64_t next = std::min(end, index + stride * read_at_once);
     std::vector<FrameSnapshotPtr> frames = store->between(index, next - 1, read_at_once);
     if (!frames.empty()) return frames;
     index = next;  // none of these can be read

@@ -69,8 +69,7 @@ class FrameHistory {
   /// are evenly thinned to at most `overview_frames`.
   std::vector<FrameSnapshotPtr> since(std::uint64_t index) const;
   /// The same in several calls, for readers that come back and must not wait for the disk: reads at most
-  /// `read_at_once` frames of the store, unless `index` is its first, whose overview it keeps. Empty only if
-  /// there are no more.
+  /// `read_at_once` frames of the store, unless it keeps them all in memory. Empty only if there are no more.
   std::vector<FrameSnapshotPtr> next_since(std::uint64_t index) const;
   static constexpr std::size_t read_at_once = 128;
 

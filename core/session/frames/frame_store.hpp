@@ -27,6 +27,10 @@ class FrameStore {
   /// The same by index: all in [first, last].
   virtual std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last,
                                                 std::size_t most) const = 0;
+  /// Whether `between` has what it would return in memory.
+  virtual bool is_kept(std::uint64_t /*first*/, std::uint64_t /*last*/, std::size_t /*most*/) const {
+    return false;
+  }
   /// Index of the last frame not after this one that has the synthesizer's state; none if there is none.
   virtual std::optional<std::uint64_t> state_before(std::uint64_t index) const = 0;
 };

@@ -50,11 +50,17 @@ class JoinedStores : public FrameStore {
     const Span after = later_->span();
     if (!is_later(last)) return earlier_->between(first, last, most);
     if (is_later(first)) return later_->between(first, last, most);
-    const double share =
-        static_cast<double>(after.first_index - first) / static_cast<double>(last - first + 1);
-    const auto [before_most, after_most] = shared_out(most, share);
+    const auto [before_most, after_most] = shared_out(most, share_before(first, after.first_index, last));
     auto frames = earlier_->between(first, after.first_index - 1, before_most);
     return followed_by(std::move(frames), later_->between(after.first_index, last, after_most));
+  }
+
+  bool is_kept(std::uint64_t first, std::uint64_t last, std::size_t most) const override {
+    if (!is_later(last)) return earlier_->is_kept(first, last, most);
+    if (is_later(first)) return later_->is_kept(first, last, most);
+    const std::uint64_t second = later_->span().first_index;
+    const auto [before_most, after_most] = shared_out(most, share_before(first, second, last));
+    return earlier_->is_kept(first, second - 1, before_most) && later_->is_kept(second, last, after_most);
   }
 
   std::optional<std::uint64_t> state_before(std::uint64_t index) const override {
@@ -67,6 +73,11 @@ class JoinedStores : public FrameStore {
   bool is_later(std::uint64_t index) const {
     const Span after = later_->span();
     return after.frames > 0 && index >= after.first_index;
+  }
+
+  /// Share of the frames from `first` to `last` that come before `second`.
+  static double share_before(std::uint64_t first, std::uint64_t second, std::uint64_t last) {
+    return static_cast<double>(second - first) / static_cast<double>(last - first + 1);
   }
 
   /// At least one for each.

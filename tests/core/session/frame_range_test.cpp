@@ -44,6 +44,9 @@ class Stored : public FrameStore {
   }
   std::optional<std::uint64_t> state_before(std::uint64_t) const override { return std::nullopt; }
 
+  bool is_kept(std::uint64_t, std::uint64_t, std::size_t) const override { return keeps_all; }
+
+  bool keeps_all = false;
   std::uint64_t lost_from = 0, lost_to = 0;
   mutable std::uint64_t most_at_once = 0;
 
@@ -63,6 +66,16 @@ class Stretch : public testing::Test {
     while (const FrameSnapshotPtr frame = frames.next()) found.push_back(frame->index);
     return found;
   }
+  /// What a view gets that comes back until there is no more.
+  std::vector<std::uint64_t> caught_up(std::uint64_t next) const {
+    std::vector<std::uint64_t> found;
+    while (true) {
+      const std::vector<FrameSnapshotPtr> frames = history.next_since(next);
+      if (frames.empty()) return found;
+      for (const FrameSnapshotPtr& frame : frames) found.push_back(frame->index);
+      next = found.back() + 1;
+    }
+  }
   static std::vector<std::uint64_t> all(std::uint64_t first, std::uint64_t end) {
     std::vector<std::uint64_t> numbers;
     for (std::uint64_t i = first; i < end; ++i) numbers.push_back(i);
@@ -78,18 +91,21 @@ class Stretch : public testing::Test {
 TEST_F(Stretch, IsCaughtUpWithInParts) {
   store->lost_from = 1200;
   store->lost_to = 1500;
-  std::vector<std::uint64_t> found;
-  std::uint64_t next = 1000;
-  while (true) {
-    const std::vector<FrameSnapshotPtr> frames = history.next_since(next);
-    if (frames.empty()) break;
-    for (const FrameSnapshotPtr& frame : frames) found.push_back(frame->index);
-    next = found.back() + 1;
-  }
   std::vector<std::uint64_t> expected = all(1000, 1200);
   for (const std::uint64_t index : all(1500, 5100)) expected.push_back(index);
-  EXPECT_EQ(found, expected);
+  EXPECT_EQ(caught_up(1000), expected);
   EXPECT_LE(store->most_at_once, FrameHistory::read_at_once);
+}
+
+/// After a change of library all views begin anew.
+TEST_F(Stretch, IsReadFromItsBeginningInPartsToo) {
+  EXPECT_EQ(caught_up(0), all(0, 5100));
+  EXPECT_LE(store->most_at_once, FrameHistory::read_at_once);
+}
+
+TEST_F(Stretch, ThatTheStoreKeepsInMemoryComesAtOnce) {
+  store->keeps_all = true;
+  EXPECT_EQ(history.next_since(0).size(), 5100U);
 }
 
 TEST_F(Stretch, GivesEveryFrameOnceWhereverItIs) {

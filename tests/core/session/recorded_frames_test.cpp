@@ -90,6 +90,35 @@ TEST_F(RecordedFramesTest, AnOverviewIsReadOnceForAllWhoAsk) {
   EXPECT_EQ(frames->between(0, kept().back()->index, 20).back()->index, kept().back()->index);
 }
 
+/// Opening a session reads the frames of its file, and the views of the window ask for them again.
+TEST_F(RecordedFramesTest, AShortFileIsKeptWhole) {
+  record(2);
+  const auto frames = *RecordedFrames::open(path, test::session_library());
+  const std::uint64_t last = kept().back()->index;
+  EXPECT_FALSE(frames->is_kept(0, last, 1000));
+  const auto whole = frames->between(0, last, 1000);
+  ASSERT_EQ(whole.size(), last + 1);
+  EXPECT_TRUE(frames->is_kept(0, last, 1000));
+  EXPECT_TRUE(frames->is_kept(0, last, 2000)) << "of neither anything is left out";
+  EXPECT_FALSE(frames->is_kept(0, last, 20));
+  EXPECT_FALSE(frames->is_kept(1, last, 1000));
+  EXPECT_EQ(frames->between(0, last, 2000), whole);
+  frames->add_library(test::session_library());
+  EXPECT_FALSE(frames->is_kept(0, last, 1000)) << "what the library says of them may be something else";
+}
+
+TEST_F(RecordedFramesTest, APieceIsReadOnceForAllWhoGoThroughTheFile) {
+  record(3);
+  const auto frames = *RecordedFrames::open(path, test::session_library());
+  const auto piece = frames->between(20, 100, FrameHistory::read_at_once);
+  ASSERT_EQ(piece.size(), 81U);
+  EXPECT_EQ(frames->between(20, 100, FrameHistory::read_at_once), piece);
+  const auto overlapping = frames->between(60, 140, FrameHistory::read_at_once);
+  ASSERT_EQ(overlapping.size(), 81U);
+  EXPECT_EQ(overlapping.back()->index, 140U);
+  EXPECT_EQ(frames->between(60, 140, FrameHistory::read_at_once).back(), overlapping.back());
+}
+
 TEST_F(RecordedFramesTest, SeeWhatIsRecordedMeanwhile) {
   record(1);
   const auto frames = *RecordedFrames::open(path);
