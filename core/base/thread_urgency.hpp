@@ -3,9 +3,12 @@
 namespace abrazo {
 
 /// Asks the scheduler to run the calling thread before threads with long computations, because it works
-/// often, briefly, and others wait for it. It gets no larger share of the processor and needs no privileges.
-/// No effect on systems without support (Linux before 6.12) and on threads that already have a real-time
-/// policy.
-void let_this_thread_go_first();
+/// often, briefly, and others wait for it. Needs no privileges; a higher priority is asked for, too, and most
+/// users do not get it. No effect on systems without support (Linux before 6.12) and on threads that already
+/// have a real-time policy.
+/// @param work_s  longest work at a time: the scheduler lets no other thread in before. A thread that asks
+///                for less is interrupted by long computations until the next tick, 4 ms with most kernels;
+///                one that asks for more starts later
+void let_this_thread_go_first(double work_s);
 
 }  // namespace abrazo

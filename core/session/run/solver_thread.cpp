@@ -14,6 +14,8 @@ namespace {
 
 /// Polling interval of a source that does not report arrivals.
 constexpr double longest_sleep_s = 0.005;
+/// Most steps take less.
+constexpr double usual_step_s = 1e-3;
 /// The same failure over and over is one frame so often, not one each turn.
 constexpr double between_failures_s = 1;
 
@@ -35,7 +37,7 @@ class FailureNotes {
 };
 
 void run(LiveLoop& loop, const SessionClock& clock, const std::stop_token& stop) {
-  let_this_thread_go_first();
+  let_this_thread_go_first(usual_step_s);
   const std::stop_callback wake_to_stop(stop, [&] { loop.wake_up()->notify(); });
   FailureNotes failures(loop);
   while (!stop.stop_requested()) {

@@ -17,6 +17,7 @@ namespace {
 /// Short enough for the decoders' silences (8 ms) to be noticed in time.
 constexpr int longest_sleep_ms = 4;
 constexpr double between_network_looks_s = 1;
+constexpr double usual_packet_s = 3e-4;  ///< most take less, with all that is told of them
 
 /// Functions to be called, with numbers to take them away by. When `remove` has returned, none is running.
 template <typename... Arguments>
@@ -162,7 +163,7 @@ class UdpStreamReceiver : public StreamReceiver {
 };
 
 void UdpStreamReceiver::run(const std::stop_token& stop) {
-  let_this_thread_go_first();
+  let_this_thread_go_first(usual_packet_s);
   double passed_s = stream_->clock.now_s();
   while (!stop.stop_requested()) {
     const bool came = sockets_.wait(longest_sleep_ms);
