@@ -9,7 +9,7 @@
 // crash, when the window was unanswered for more than 0.5 s, not counting the wait for a processor (not in
 // the preset `asan-window`, whose code is slow), when memory in use while no window exists grew by more than
 // 60 MB after the first quarter, or when memory leaked (preset `asan-window`); says the seed and the last 50
-// things it did.
+// things it did. `--watch 0.25` prints where the window is once it has been unanswered that long.
 #include <execinfo.h>
 #include <fcntl.h>
 #include <malloc.h>
@@ -131,6 +131,7 @@ bool leaks() {
 struct Wish {
   unsigned seed = 1;
   double minutes = 10;
+  double watched_s = unanswered_s;  ///< from when on it says where the window is; what counts is unanswered_s
   QString sender;  ///< `abrazo`, which makes the data and sends the stream; empty: no stream
 };
 
@@ -419,7 +420,7 @@ class Monkey : public QObject {
   std::unique_ptr<QProcess> m_sender;
   QTimer m_beat, m_turns;
   QElapsedTimer m_clock;
-  soak::AnswerWatch m_watch{unanswered_s};
+  soak::AnswerWatch m_watch{m_wish.watched_s};
   double m_longest = 0, m_longestStarved = 0, m_memoryEarly = 0, m_memoryLast = 0;
   double m_memoryMost = 0, m_sampled = 0;
   int m_unanswered = 0, m_starved = 0, m_windows = 0;
@@ -442,6 +443,7 @@ int main(int argc, char** argv) {
     const std::string_view name = argv[word];
     if (name == "--seed") wish.seed = static_cast<unsigned>(std::strtoul(argv[word + 1], nullptr, 10));
     if (name == "--minutes") wish.minutes = std::strtod(argv[word + 1], nullptr);
+    if (name == "--watch") wish.watched_s = std::strtod(argv[word + 1], nullptr);
     if (name == "--sender")
       wish.sender = QFileInfo(QString::fromLocal8Bit(argv[word + 1])).absoluteFilePath();
   }

@@ -7,14 +7,10 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMouseEvent>
-#include <QProxyStyle>
 #include <QScreen>
 #include <QSplitter>
 #include <QTabBar>
 #include <QTest>
-#include <QThread>
-#include <algorithm>
-#include <array>
 #include <numbers>
 #include <random>
 
@@ -23,16 +19,13 @@
 #include "app/workbench/shell/layouts.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/window_place.hpp"
-#include "tests/widgets/pictures.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/common/theme.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/settings_panel.hpp"
-#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app::layout_test {
 namespace {
@@ -82,35 +75,6 @@ TEST_F(Layout, PanelsAreFloatedMovedAndClosedAndTheSceneKeepsItsParent) {
   EXPECT_EQ(window().scene().parentWidget(), parent);
 }
 
-/// Every widget was laid out anew, which stopped the window for a second on a busy machine.
-TEST_F(Layout, OtherColoursLayNothingOutAnewAndComeBack) {
-  struct Counts : QObject {
-    int styles = 0;
-    bool eventFilter(QObject* watched, QEvent* event) override {
-      styles += event->type() == QEvent::StyleChange;
-      return QObject::eventFilter(watched, event);
-    }
-  };
-  const auto pictures = [] {
-    EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-    QTest::qWait(50);
-    return std::array{window().settings().grab().toImage(), window().candidates().grab().toImage(),
-                      window().timeline().grab().toImage()};
-  };
-  const auto dark = pictures();
-  Counts counts;
-  const auto all = window().findChildren<QWidget*>();
-  for (QWidget* each : all) each->installEventFilter(&counts);
-  window().setTheme(widgets::Theme::Light);
-  const auto light = pictures();
-  window().setTheme(widgets::Theme::Dark);
-  EXPECT_LT(10 * counts.styles, all.size()) << "only of widgets with a sheet of their own";
-  for (std::size_t p = 0; p < dark.size(); ++p) {
-    EXPECT_GT(test::difference(dark[p], light[p]), 0.3) << p;
-    EXPECT_EQ(pictures()[p], dark[p]) << p;
-  }
-}
-
 /// Four panels in one place, as wide as a column may be: "Cand…" names none of them.
 TEST_F(Layout, TabsOfPanelsHaveTheirWholeNamesInANarrowColumn) {
   for (const char* id : {"settings", "plots", "library"})
@@ -157,70 +121,6 @@ TEST_F(Layout, ThePanelThatWasInFrontIsThereAgainWhenThereIsRoomAgain) {
   EXPECT_TRUE(until([] { return !panel("settings").visibleRegion().isEmpty(); }));
   EXPECT_TRUE(panel("candidates").visibleRegion().isEmpty());
   window().resetLayout();
-}
-
-/// All widgets at once would hold the window up; it is painted again when all of them have the colours.
-TEST_F(Layout, AChangeOfColoursIsNotSeenInParts) {
-  ASSERT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-  window().setTheme(widgets::Theme::Light);
-  EXPECT_TRUE(widgets::is_applying_theme());
-  EXPECT_FALSE(window().updatesEnabled());
-  window().setTheme(widgets::Theme::Dark);  // before the first one is complete
-  EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-  EXPECT_TRUE(window().updatesEnabled());
-}
-
-/// Takes longer for each widget than a turn of the event loop may, and counts those of one turn.
-class SlowColours : public QProxyStyle {
- public:
-  void polish(QWidget* widget) override {
-    QProxyStyle::polish(widget);
-    QThread::msleep(25);
-    ++total;
-    most_at_once = std::max(most_at_once, ++m_at_once);
-    QMetaObject::invokeMethod(
-        this, [this] { m_at_once = 0; }, Qt::QueuedConnection);
-  }
-  using QProxyStyle::polish;
-  int total = 0, most_at_once = 0;
-
- private:
-  int m_at_once = 0;
-};
-
-TEST_F(Layout, TheWindowAnswersWhileItsColoursChange) {
-  SlowColours slow;
-  QWidget other;
-  for (int i = 0; i < 4; ++i) (new QWidget(&other))->setStyle(&slow);
-  other.show();
-  ASSERT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-  turn();
-  window().setTheme(widgets::Theme::Light);
-  slow.total = slow.most_at_once = 0;
-  EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-  EXPECT_EQ(slow.total, 4);
-  EXPECT_LT(slow.most_at_once, slow.total);
-  window().setTheme(widgets::Theme::Dark);
-  EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-}
-
-/// What is hidden is not polished for the new colours until it is shown.
-TEST_F(Layout, WhatWasHiddenDuringAChangeOfColoursHasThemWhenItIsShown) {
-  widgets::SettingsPanel& settings = window().settings();
-  const auto picture = [&settings] {
-    EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
-    QTest::qWait(50);
-    return settings.grab().toImage();
-  };
-  window().setTheme(widgets::Theme::Light);
-  const QImage light = picture();
-  window().setTheme(widgets::Theme::Dark);
-  picture();
-  panel("settings").hide();
-  window().setTheme(widgets::Theme::Light);
-  panel("settings").show();
-  EXPECT_EQ(picture(), light);
-  window().setTheme(widgets::Theme::Dark);
 }
 
 /// A white line was below the tabs of candidates and comparison.

@@ -6,6 +6,7 @@
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -87,6 +88,28 @@ TEST_F(TakeActions, AWorkerFinishesTheFileAndTheNextTakeGoesIntoItToo) {
   EXPECT_EQ(names[names.size() - 2], first);
   EXPECT_EQ(names.back(), last().name);
   EXPECT_FALSE(desk().finishing());
+}
+
+/// All of a stream is recorded, so it begins when its file can be written, and the window answers meanwhile.
+TEST_F(TakeActions, AStreamIsOpenedWhenTheFileOfTheLastTakeIsFinished) {
+  auto& streams = *window().findChild<StreamDesk*>();
+  const SessionEngine& engine = window().session()->engine();
+  const bool kept = window().remembered().keepsEverything();
+  window().remembered().setKeepsEverything(true);
+  desk().toggle();
+  ASSERT_TRUE(until([] { return last().frames >= 5; }));
+  const QString file = desk().file();
+  desk().toggle();
+  ASSERT_TRUE(desk().finishing());
+  streams.connectTo("vmc://127.0.0.1:0");
+  EXPECT_FALSE(engine.receiver());
+  EXPECT_TRUE(streams.isConnected()) << "it is on its way";
+  EXPECT_TRUE(until([&] { return engine.receiver() != nullptr; }));
+  ASSERT_TRUE(engine.recorder());
+  EXPECT_EQ(engine.recorder()->state().path, file.toStdString());
+  streams.disconnectStream();
+  window().remembered().setKeepsEverything(kept);
+  EXPECT_TRUE(until([&] { return !engine.recorder() && !desk().finishing(); }));
 }
 
 TEST_F(TakeActions, AgainCountsUpAndBeginsAtOnce) {

@@ -23,6 +23,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/allocation.hpp"
 #include "app/workbench/start/responsiveness.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
 #include "core/opening/generated_set.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -271,6 +272,13 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
         QTimer::singleShot(500, &window, [&window] { window.setTheme(widgets::Theme::Dark); });
       },
       [] { return true; });
+  auto* streams = window.findChild<StreamDesk*>();
+  for (const char* address : {"vmc://127.0.0.1:39651", "xsens://127.0.0.1:39652"})
+    measurement.until(
+        "connecting to a stream", [&] { streams->connectTo(address); },
+        [&] { return streams->isConnected(); });
+  measurement.until(
+      "disconnecting", [&] { streams->disconnectStream(); }, [&] { return !streams->isConnected(); });
   for (const QString& file : asked.files) {
     opened = failed = false;
     measurement.until(("opening " + file.section('/', -1)).toUtf8().constData(),

@@ -34,6 +34,11 @@ void show_shortcuts(MainWindow& window, Shortcuts& shortcuts) {
   dialog->activateWindow();
 }
 
+/// For the text of a sheet, beside its margins and buttons.
+QSize room_on_screen() {
+  return QGuiApplication::primaryScreen()->availableSize() * 9 / 10 - QSize(60, 90);
+}
+
 QDialog* show_sheet(MainWindow& window, const QString& title, const QString& html) {
   // Whichever window has the keyboard, the key that opened it closes it again.
   if (auto* open = window.findChild<QDialog*>(title)) return open->close(), nullptr;
@@ -50,16 +55,14 @@ QDialog* show_sheet(MainWindow& window, const QString& title, const QString& htm
   text->document()->setDocumentMargin(0);
   text->setHtml(html);
   text->setAccessibleName(title);
-  const QSize room = QGuiApplication::primaryScreen()->availableSize() * 9 / 10;
-  text->setMinimumSize((text->document()->size().toSize() + QSize(18, 4)).boundedTo(room - QSize(60, 90)));
+  text->setMinimumSize((text->document()->size().toSize() + QSize(18, 4)).boundedTo(room_on_screen()));
   column->addWidget(text);
   QObject::connect(dialog, &QDialog::finished, &window, [&window] { window.activateWindow(); });
   return dialog;
 }
 
 void show_keys(MainWindow& window, Shortcuts& shortcuts) {
-  const int width = QGuiApplication::primaryScreen()->availableSize().width();
-  const int columns = std::clamp(width / column_width, 2, 4);
+  const int columns = std::clamp(room_on_screen().width() / column_width, 2, 4);
   QDialog* dialog = show_sheet(window, "Keys", key_sheet(shortcuts.table(), window.colours(), columns));
   if (!dialog) return;
   QObject::connect(new QShortcut(QKeySequence("?"), dialog), &QShortcut::activated, dialog, &QDialog::close);

@@ -43,7 +43,10 @@ Rooms add_all_actions(MainWindow& window) {
   add_sweep_actions(window);
   StreamDesk& streams = add_stream_actions(window);
   TakeDesk& takes = add_take_actions(window);
+  QObject::connect(&streams, &StreamDesk::addressFound, &takes,
+                   [&takes](bool& ready) { ready = ready && takes.isReadyForStream(); });
   QObject::connect(&streams, &StreamDesk::aboutToReceive, &takes, &TakeDesk::prepareStream);
+  QObject::connect(&takes, &TakeDesk::fileFinished, &streams, &StreamDesk::receiveOnceFound);
   add_pair_actions(window, takes, [&streams] { return std::pair(streams.user(), streams.second()); });
   add_role_actions(window);
   widgets::LeftoverBar& leftovers = add_session_actions(window);

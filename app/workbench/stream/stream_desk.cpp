@@ -125,7 +125,10 @@ void StreamDesk::refuse(const Error& error) {
 }
 
 void StreamDesk::receiveOnceFound() {
-  if (m_found && engine() && !engine()->receiver()) receive();
+  if (!m_found || !engine() || engine()->receiver()) return;
+  bool ready = true;
+  emit addressFound(ready);
+  if (ready) receive();
 }
 
 /// @return whether the stream is open; if not, nothing is connected any more

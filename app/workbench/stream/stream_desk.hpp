@@ -57,6 +57,8 @@ class StreamDesk : public QObject {
   const QString& second() const { return m_second; }
 
   /// Starts a calibration, or cancels the running one.
+  /// Opens the stream that was asked for, if its address is known and it is not open yet.
+  void receiveOnceFound();
   void calibrate();
   void forgetCalibration();
   const CalibrationSteps& calibration() const { return m_calibration; }
@@ -68,6 +70,8 @@ class StreamDesk : public QObject {
  signals:
   /// Emitted before a stream is opened, so that recording can include its first frame.
   void aboutToReceive();
+  /// The address is known. Set `ready` to false to call receiveOnceFound() later.
+  void addressFound(bool& ready);
   /// The connection changed or ended.
   void connectionChanged();
   void polled();
@@ -78,7 +82,6 @@ class StreamDesk : public QObject {
     Character character;
   };
   SessionEngine* engine() const;
-  void receiveOnceFound();
   void refuse(const Error& error);
   bool receive();
   void sendTo(const StreamUri& uri, Character character);

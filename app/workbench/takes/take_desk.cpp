@@ -189,6 +189,7 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
         if (afterwards == Afterwards::Discard) discard_session(file);
         return [this, recorder, file, written] {
           if (m_finishing == recorder) m_finishing.reset();
+          emit fileFinished();
           if (!written) m_window.messages().showError(words(written.error()));
           if (m_file != file || m_finishing || !m_window.session()) return;
           m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
@@ -199,9 +200,13 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
   connect(job, &Job::finished, job, &QObject::deleteLater);
 }
 
+bool TakeDesk::isFinishingFile() const {
+  return m_finishing && m_finishing->state().path == m_file.toStdString();
+}
+
 /// For the rare case that the file is needed again in the moments of its being finished.
 void TakeDesk::awaitFile() {
-  if (m_finishing) (void)m_finishing->finish();  // its job tells the result
+  if (isFinishingFile()) (void)m_finishing->finish();  // its job tells the result
 }
 
 /// Names in the file follow those in the list, through the recorder while it runs.
@@ -239,6 +244,10 @@ void TakeDesk::prepareStream() {
   if (!m_window.session() || !m_window.remembered().keepsEverything()) return;
   m_isForStream = m_file.isEmpty();
   m_hasStream = record();
+}
+
+bool TakeDesk::isReadyForStream() const {
+  return !m_window.remembered().keepsEverything() || !isFinishingFile();
 }
 
 /// Of a stream that could not be opened nothing is left.

@@ -37,6 +37,8 @@ class TakeDesk : public QObject {
   void keepEverything(bool on);
   /// Call before a stream is opened, so that its first frame is recorded too.
   void prepareStream();
+  /// Whether prepareStream() need not wait for a worker to finish the file; if it has to, fileFinished() comes.
+  bool isReadyForStream() const;
 
   const RecordedTakes& takes() const { return m_takes.list(); }
   void rename(std::int64_t id, const std::string& name);
@@ -61,6 +63,8 @@ class TakeDesk : public QObject {
 
  signals:
   void fileChanged();
+  /// A worker has finished the file of a recording that ended.
+  void fileFinished();
   /// A take began, after its countdown.
   void begun();
   /// No take was made: cancelled in the countdown, a write error, or no input.
@@ -75,6 +79,7 @@ class TakeDesk : public QObject {
   bool record();
   enum class Afterwards { Keep, Discard };
   void stopRecorder(Afterwards afterwards = Afterwards::Keep);
+  bool isFinishingFile() const;
   void awaitFile();
   void discardIfUnused();
   void follow();
