@@ -35,7 +35,7 @@ void stay_on_one_processor() {
   ::sched_setaffinity(0, sizeof one, &one);
 }
 
-/// Raises `drawn` when it has been without a processor for a second.
+/// Raises `drawn` when it has been without a processor for a second since begin().
 class StarvingThread {
  public:
   explicit StarvingThread(const char* name)
@@ -49,6 +49,8 @@ class StarvingThread {
           stay_on_one_processor();
           const sched_param none{};
           ::sched_setscheduler(0, SCHED_IDLE, &none);
+          while (!is_begun_) {
+          }
           const double before_s = starved_s();
           while (starved_s() - before_s < 1.0) {
           }
@@ -64,6 +66,8 @@ class StarvingThread {
   StarvingThread(const StarvingThread&) = delete;
   StarvingThread& operator=(const StarvingThread&) = delete;
 
+  void begin() { is_begun_ = true; }
+
   sem_t drawn = [] {
     sem_t semaphore{};
     ::sem_init(&semaphore, 0, 0);
@@ -71,7 +75,7 @@ class StarvingThread {
   }();
 
  private:
-  std::atomic<bool> is_done_{false};
+  std::atomic<bool> is_begun_{false}, is_done_{false};
   std::thread busy_, starving_;
 };
 
@@ -90,6 +94,7 @@ Waited waited_for(const char* thread, void (*wait)(sem_t*)) {
   StarvingThread starving(thread);
   const double before_s = starved_s();
   watch.forget();
+  starving.begin();  // all of the second is in the gap, however long the threads took to start
   wait(&starving.drawn);
   const AnswerWatch::Gap gap = watch.beat();
   return {gap, starved_s() - before_s};

@@ -132,7 +132,7 @@ struct Wish {
   unsigned seed = 1;
   double minutes = 10;
   double watched_s = unanswered_s;  ///< from when on it says where the window is; what counts is unanswered_s
-  QString sender;  ///< `abrazo`, which makes the data and sends the stream; empty: no stream
+  QString sender;                   ///< `abrazo`, which makes the data and sends the stream; empty: no stream
 };
 
 class Monkey : public QObject {

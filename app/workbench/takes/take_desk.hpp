@@ -37,7 +37,8 @@ class TakeDesk : public QObject {
   void keepEverything(bool on);
   /// Call before a stream is opened, so that its first frame is recorded too.
   void prepareStream();
-  /// Whether prepareStream() need not wait for a worker to finish the file; if it has to, fileFinished() comes.
+  /// Whether prepareStream() need not wait for a worker to finish the file; if it has to, fileFinished()
+  /// comes.
   bool isReadyForStream() const;
 
   const RecordedTakes& takes() const { return m_takes.list(); }
