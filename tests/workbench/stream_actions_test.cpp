@@ -42,10 +42,11 @@ class StreamActions : public DemoWindow {
   }
   static const FrameSnapshot& live() { return *window().session()->latest().newest(); }
   static const Clip& clip() { return window().session()->material().input; }
-  /// Connects to a port that is free. @return where to send to
+  /// Connects to a port that is free, once the recording of the last stream is on disk. @return where to send
+  /// to
   static QString listen() {
     desk().connectTo("vmc://127.0.0.1:0");
-    EXPECT_TRUE(desk().health());
+    EXPECT_TRUE(until([] { return desk().health().has_value(); }));
     return desk().health() ? "vmc://" + QString::fromStdString(desk().health()->listening) : QString();
   }
   static bool receives() {
@@ -101,7 +102,7 @@ TEST_F(StreamActions, APortThatIsTakenIsToldWithWhatToDo) {
       StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), window().session()->engine().clock()).value();
   const QString taken = QString::fromStdString(other->health().listening).section(':', -1);
   desk().connectTo("vmc://127.0.0.1:" + taken);
-  EXPECT_FALSE(desk().isConnected());
+  EXPECT_TRUE(until([] { return !desk().isConnected(); }));
   EXPECT_TRUE(window().messages().text().contains(taken)) << window().messages().text().toStdString();
 }
 
