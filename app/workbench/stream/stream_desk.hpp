@@ -56,9 +56,9 @@ class StreamDesk : public QObject {
   /// The second performer of a recorded pair; empty = none.
   const QString& second() const { return m_second; }
 
-  /// Starts a calibration, or cancels the running one.
   /// Opens the stream that was asked for, if its address is known and it is not open yet.
   void receiveOnceFound();
+  /// Starts a calibration, or cancels the running one.
   void calibrate();
   void forgetCalibration();
   const CalibrationSteps& calibration() const { return m_calibration; }
