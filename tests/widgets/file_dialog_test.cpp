@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QFileDialog>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QTemporaryDir>
@@ -95,6 +96,7 @@ TEST_F(FileDialog, SizesTypesAndDatesAreNotCut) {
     for (int column = 1; column < 4; ++column)
       EXPECT_GE(list->columnWidth(column), static_cast<QAbstractItemView*>(list)->sizeHintForColumn(column))
           << "column " << column;
+    EXPECT_LE(list->header()->length(), list->viewport()->width()) << "the date is in view";
     files->reject();
   });
   EXPECT_EQ(choose_file(nullptr, "Open", path("."), "Frames (*.jsonl)"), QString());

@@ -32,7 +32,9 @@ void widen_columns(QFileDialog& dialog) {
     list->setColumnWidth(column, width);
     rest -= list->isColumnHidden(column) ? 0 : width;
   }
-  list->setColumnWidth(0, std::max(rest, least_name_letters * font.averageCharWidth()));
+  const int least = least_name_letters * font.averageCharWidth();
+  list->setColumnWidth(0, std::max(rest, least));
+  if (rest < least) dialog.resize(dialog.width() + least - rest, dialog.height());
 }
 
 QStringList ask(QFileDialog& dialog, const QString& filter) {
