@@ -85,6 +85,18 @@ TEST_F(FileDialog, ANameWithoutAnEndingGetsItBeforeAFileIsReplaced) {
   EXPECT_TRUE(m_asked.contains("table.csv")) << m_asked.toStdString();
 }
 
+/// The page and the JSON of a sweep, for example.
+TEST_F(FileDialog, TheUsualEndingIsThatOfTheChosenFilter) {
+  Person person([](QWidget* modal) {
+    auto* files = qobject_cast<QFileDialog*>(modal);
+    emit files->filterSelected("JSON (*.json)");
+    files->findChild<QLineEdit*>()->setText("sweep");
+    QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+  });
+  EXPECT_EQ(choose_new_file(nullptr, "Save", path("sweep.html"), ".html", "Page (*.html);;JSON (*.json)"),
+            path("sweep.json"));
+}
+
 TEST_F(FileDialog, SizesTypesAndDatesAreNotCut) {
   put("recording of the whole afternoon.jsonl", 999 * 1024);
   int looks = 0;

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTimer>
 #include <QTreeView>
 #include <algorithm>
@@ -77,6 +78,10 @@ QString choose_new_file(QWidget* parent, const QString& title, const QString& pa
   dialog.setFileMode(QFileDialog::AnyFile);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(ending);
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog, ending](const QString& chosen) {
+    const auto own = QRegularExpression(R"(\*(\.\w+))").match(chosen);
+    dialog.setDefaultSuffix(own.hasMatch() ? own.captured(1) : ending);
+  });
   dialog.setOption(QFileDialog::DontConfirmOverwrite, !is_asked);
   if (!proposed.isDir()) dialog.selectFile(proposed.fileName());
   return ask(dialog, filter).value(0);

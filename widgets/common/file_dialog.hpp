@@ -16,7 +16,7 @@ QString choose_folder(QWidget* parent, const QString& title, const QString& fold
 /// Asks for the name of a file to be written. A name without an ending gets the usual one before the person
 /// is asked whether a file may be replaced, so that the question is about the file that is written.
 /// @param path       proposed folder and name
-/// @param ending     with its dot
+/// @param ending     with its dot; a chosen filter that names another one has that
 /// @param is_asked   whether the person is asked before a file is replaced; false when the caller asks
 /// @return empty when the person cancels
 QString choose_new_file(QWidget* parent, const QString& title, const QString& path, const QString& ending,

@@ -45,7 +45,7 @@ QString ask_file(MainWindow& window, ExportDialog& dialog, const ExportRequest& 
                                   false);
 }
 
-/// Asks about files that exist already: of the bodies, of the frames of a series.
+/// Asks about files that exist already. Those of the frames of a series follow its name.
 bool may_replace(ExportDialog& dialog, const ExportRequest& request, const QString& file) {
   ExportWish wish = request.wish;
   wish.output = file.toStdString();
