@@ -36,4 +36,9 @@ function(abrazo_unity target batch)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder_name}_${number}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # clang reports a local name that another file of the batch uses at file scope. gcc and the preset `dev` report what shadows
+    # within a file.
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+  endif()
 endfunction()
