@@ -1,47 +1,96 @@
 #include "widgets/common/tabular.hpp"
 
 #include <QFontMetricsF>
+#include <QGlyphRun>
+#include <QHash>
 #include <QPainter>
+#include <QRawFont>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace abrazo::widgets {
 namespace {
 
-double digit_width(const QFontMetricsF& metrics) {
-  double widest = 0;
-  for (char c = '0'; c <= '9'; ++c) widest = std::max(widest, metrics.horizontalAdvance(QLatin1Char(c)));
-  return widest;
-}
+constexpr int kept_fonts = 64;
+constexpr ushort letters = 256;  ///< of Latin-1: what numbers and units consist of
 
-double advance(const QFontMetricsF& metrics, double digit, QChar c) {
-  return c.isDigit() ? digit : metrics.horizontalAdvance(c);
+/// What is measured of a font once: numbers are drawn with every picture, and shaping a letter takes longer
+/// than drawing it.
+struct Face {
+  QFontMetricsF metrics;
+  QRawFont raw;
+  double digit = 0;
+  std::array<double, letters> advances{};
+  std::array<quint32, letters> glyphs{};  ///< 0 = not in this font
+
+  explicit Face(const QFont& font) : metrics(font), raw(QRawFont::fromFont(font)) {
+    for (ushort c = 0; c < letters; ++c) {
+      advances[c] = metrics.horizontalAdvance(QChar(c));
+      quint32 glyph = 0;
+      int count = 1;
+      const QChar letter(c);
+      if (raw.glyphIndexesForChars(&letter, 1, &glyph, &count) && count == 1) glyphs[c] = glyph;
+    }
+    for (char c = '0'; c <= '9'; ++c) digit = std::max(digit, advances[static_cast<uchar>(c)]);
+  }
+  double own(QChar c) const {
+    return c.unicode() < letters ? advances[c.unicode()] : metrics.horizontalAdvance(c);
+  }
+  double advance(QChar c) const { return c.isDigit() ? digit : own(c); }
+  quint32 glyph(QChar c) const { return c.unicode() < letters ? glyphs[c.unicode()] : 0; }
+  double width(const QString& text) const {
+    double width = 0;
+    for (const QChar c : text) width += advance(c);
+    return width;
+  }
+};
+
+/// Only for the window's thread, as all that draws text.
+const Face& face_of(const QFont& font) {
+  static QHash<QString, Face> faces;
+  const QString key = font.key();
+  auto found = faces.find(key);
+  if (found == faces.end()) {
+    if (faces.size() >= kept_fonts) faces.clear();
+    found = faces.insert(key, Face(font));
+  }
+  return *found;
 }
 
 }  // namespace
 
 double tabular_width(const QFont& font, const QString& text) {
-  const QFontMetricsF metrics(font);
-  const double digit = digit_width(metrics);
-  double width = 0;
-  for (const QChar c : text) width += advance(metrics, digit, c);
-  return width;
+  return face_of(font).width(text);
 }
 
 void draw_tabular(QPainter& painter, const QRectF& rect, Qt::Alignment alignment, const QString& text) {
-  const QFontMetricsF metrics(painter.font());
-  const double digit = digit_width(metrics);
-  const double width = tabular_width(painter.font(), text);
+  const Face& face = face_of(painter.font());
   double x = rect.left();
-  if (alignment & Qt::AlignRight) x = rect.right() - width;
-  if (alignment & Qt::AlignHCenter) x = rect.center().x() - width / 2;
-  const double baseline = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2;
+  if (alignment & (Qt::AlignRight | Qt::AlignHCenter)) {
+    const double spare = rect.width() - face.width(text);
+    x += alignment & Qt::AlignRight ? spare : spare / 2;
+  }
+  const double baseline = rect.center().y() + (face.metrics.ascent() - face.metrics.descent()) / 2;
+  QVector<quint32> glyphs;
+  QVector<QPointF> places;
   for (const QChar c : text) {
-    const double cell = advance(metrics, digit, c);
-    const double own = metrics.horizontalAdvance(c);
-    painter.drawText(QPointF(x + (cell - own) / 2, baseline), QString(c));
+    const double cell = face.advance(c);
+    const QPointF place(x + (cell - face.own(c)) / 2, baseline);
+    if (const quint32 glyph = face.glyph(c)) {
+      glyphs << glyph;
+      places << place;
+    } else {
+      painter.drawText(place, QString(c));  // from another font
+    }
     x += cell;
   }
+  if (glyphs.isEmpty()) return;
+  QGlyphRun run;
+  run.setRawFont(face.raw);
+  run.setGlyphIndexes(glyphs);
+  run.setPositions(places);
+  painter.drawGlyphRun({}, run);
 }
 
 TabularLabel::TabularLabel(QWidget* parent) : QWidget(parent) {

@@ -10,7 +10,7 @@ namespace abrazo::app {
 namespace {
 
 constexpr int display_interval_ms = 16;
-constexpr int panel_interval_ms = 80;
+constexpr int panel_interval_ms = 100;
 constexpr int parked_panel_interval_ms = 500;  // only the lanes and curves of the running session are new
 constexpr int longest_wait_ms = 400;           // for a picture that may never come: the scene may be hidden
 constexpr double measured_over_s = 0.7;
@@ -20,12 +20,18 @@ constexpr double measured_over_s = 0.7;
 FrameTicker::FrameTicker(QObject* parent) : QObject(parent) {
   m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.setInterval(display_interval_ms);
+  m_timer.setSingleShot(true);
   m_soon.setSingleShot(true);
   m_soon.setInterval(0);
   m_panelsTurn.setSingleShot(true);
   m_panelsTurn.setInterval(0);
   connect(&m_panelsTurn, &QTimer::timeout, this, &FrameTicker::panelsDue);
-  for (QTimer* timer : {&m_timer, &m_soon}) connect(timer, &QTimer::timeout, this, &FrameTicker::tick);
+  // A timer that repeats by itself keeps to its grid: a picture of 20 ms would come every 32 ms.
+  connect(&m_timer, &QTimer::timeout, this, [this] {
+    m_timer.start();
+    tick();
+  });
+  connect(&m_soon, &QTimer::timeout, this, &FrameTicker::tick);
 }
 
 void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<FrameSnapshot>* latest) {

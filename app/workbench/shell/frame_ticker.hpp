@@ -62,7 +62,7 @@ class FrameTicker : public QObject {
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
-  /// Update of panels that show a time span: about 12 times per second, twice when parked, and immediately
+  /// Update of panels that show a time span: about 10 times per second, twice when parked, and immediately
   /// after a request.
   void panelsDue();
 

@@ -289,6 +289,7 @@ void StreamDesk::poll() {
   SessionEngine* running = engine();
   const auto receiver = running ? running->receiver() : nullptr;
   m_health = receiver && isConnected() ? std::optional(receiver->health()) : std::nullopt;
+  m_cores.keep(m_health && m_health->state == StreamHealth::State::Receiving);
   m_panel.showHealth(m_health ? &*m_health : nullptr);
   m_panel.setStepRate(m_window.document().settings().step_rate_hz);
   m_panel.showSinks(running ? m_rates.update(running->sinks(), running->clock().now_s())

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/workbench/start/thread_priorities.hpp"
 #include "app/workbench/stream/host_lookup.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/session/frames/command.hpp"
@@ -107,6 +108,7 @@ class StreamDesk : public QObject {
   QString m_inputWords;  ///< text passed to the window
   std::shared_ptr<const MotionLibrary> m_library;
   QTimer m_poll, m_soon;
+  CoresForAnswers m_cores;  ///< while something comes in
 };
 
 }  // namespace abrazo::app

@@ -104,6 +104,7 @@ void SceneTreeList::setOpen(int character, bool open) {
 }
 
 void SceneTreeList::setInput(const QString& name) {
+  if (name == m_input) return;
   m_input = name;
   update();
 }
@@ -114,9 +115,14 @@ void SceneTreeList::setVisibility(const PartVisibility& visibility) {
   update();
 }
 
+/// Counts change with most frames, each in one row or two.
 void SceneTreeList::setCounts(const PartCounts& counts) {
+  QStringList before;
+  for (const TreeRow& row : m_rows) before << note(row);
   m_counts = counts;
-  update();
+  for (int r = 0; r < before.size(); ++r)
+    if (note(m_rows[static_cast<std::size_t>(r)]) != before[r])
+      update(0, r * row_height, width(), row_height);
 }
 
 /// The joint that was selected last is in view when its character is open; nothing opens by itself.
@@ -155,7 +161,8 @@ void SceneTreeList::paintEvent(QPaintEvent* event) {
   }
   const int first = event->rect().top() / row_height;
   const int last = std::min(static_cast<int>(m_rows.size()) - 1, event->rect().bottom() / row_height);
-  for (int r = first; r <= last; ++r) paintRow(painter, r);
+  for (int r = first; r <= last; ++r)
+    if (event->region().intersects(QRect(0, r * row_height, width(), row_height))) paintRow(painter, r);
 }
 
 void SceneTreeList::paintRow(QPainter& painter, int index) const {
