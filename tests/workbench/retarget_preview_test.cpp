@@ -143,6 +143,9 @@ TEST_F(RetargetPreviewOfWindow, ATallerBodyStaysInThePicture) {
   body("Leader's body").setEditText("scale:1.50");
   EXPECT_TRUE(until([&] { return distance_m() > 1.2 * before_m; }));
   ASSERT_TRUE(complete());
+  EXPECT_TRUE(until([&] {
+    return preview().scene().roomFor(preview().ticker().shown()->result.result) >= 0.98;
+  })) << "a head is behind the buttons";
 }
 
 TEST_F(RetargetPreviewOfWindow, AAndBExchangeTheRecordingAndTheResult) {

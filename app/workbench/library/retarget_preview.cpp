@@ -18,7 +18,8 @@ namespace {
 
 using widgets::ScenePart;
 
-constexpr double least_room = 0.9;  // of the distance at which the pair has its margins
+constexpr double near_room = 0.9;     // whoever came nearer wants to be there
+constexpr double enough_room = 0.98;  // less, and a head is behind the buttons
 
 /// A take has no user and no source that continues; the recording is drawn as another run.
 widgets::PartVisibility shown_parts() {
@@ -169,19 +170,13 @@ void RetargetPreview::showNothing() {
   setEnabled(false);
 }
 
-/// Whether the pair is in the picture as a whole, in the present view.
-bool RetargetPreview::isInView(const PairPose& pair) const {
-  const double aspect = m_scene->width() / std::max(1.0, static_cast<double>(m_scene->height()));
-  return m_scene->camera().distance_m >= least_room * m_scene->camera().distance_for(pair, {aspect});
-}
-
 void RetargetPreview::showFrame(const FrameSnapshotPtr& frame) {
   // While it plays the camera follows. A view that a person brought nearer stays.
   const bool is_parked = m_ticker.playback().state == Playback::State::Parked;
-  const bool was_in_view = m_inScene && isInView(m_inScene->result.result);
+  const bool was_in_view = m_inScene && m_scene->roomFor(m_inScene->result.result) >= near_room;
   m_inScene = frame;
   m_scene->showFrame(frame);
-  if (is_parked && was_in_view && !isInView(frame->result.result)) m_scene->frameAll();
+  if (is_parked && was_in_view && m_scene->roomFor(frame->result.result) < enough_room) m_scene->frameAll();
   std::optional<PairPose> recording;
   if (m_side == Side::Both) recording = frame->result.selected_pair;
   m_scene->showComparison(recording, {});

@@ -48,7 +48,6 @@ class RetargetPreview : public QWidget {
   void addKeys();
   void lookAt();
   void showFrame(const FrameSnapshotPtr& frame);
-  bool isInView(const PairPose& pair) const;
 
   widgets::SceneView* m_scene;
   widgets::TransportBar* m_transport;

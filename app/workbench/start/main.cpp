@@ -15,7 +15,6 @@
 #include "app/workbench/start/start_times.hpp"
 #include "app/workbench/start/status_lines.hpp"
 #include "app/workbench/start/termination.hpp"
-#include "app/workbench/start/thread_priorities.hpp"
 #include "app/workbench/start/unattended.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
 #include "core/base/atomic_file.hpp"
@@ -61,15 +60,6 @@ app::MainWindow::MakeMaterial dance_begun_early() {
   return [dance](const Progress&) { return dance->get(); };
 }
 
-/// After the first picture, which starts the drawing threads.
-void let_drawing_stand_back(app::MainWindow& window) {
-  auto* once = new QObject(&window);
-  QObject::connect(&window.scene(), &widgets::SceneView::pictureDrawn, once, [once] {
-    app::make_software_renderer_stand_back();
-    once->deleteLater();
-  });
-}
-
 void write_line(const std::string& line) {
   std::fputs(line.c_str(), stdout);
   std::fflush(stdout);
@@ -108,7 +98,6 @@ int main(int argc, char** argv) {
   const app::Rooms rooms = app::add_all_actions(window);
   start.reached("window built");
   start.follow(window.document(), window.ticker(), window.scene());
-  let_drawing_stand_back(window);
   app::Responsiveness responsiveness;
   app::watch(window, window.document(), responsiveness);
   std::optional<app::StatusLines> status;

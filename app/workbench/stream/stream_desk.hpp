@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/start/thread_priorities.hpp"
+#include "app/workbench/stream/cores_for_answers.hpp"
 #include "app/workbench/stream/host_lookup.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/session/frames/command.hpp"

@@ -68,6 +68,11 @@ void SceneView::frameAll() {
   moveCamera(to);
 }
 
+double SceneView::roomFor(const PairPose& pair) const {
+  const OrbitCamera& camera = m_parts->camera;
+  return camera.distance_m / camera.distance_for(pair, m_parts->shape());
+}
+
 void SceneView::resetView() {
   Parts& p = *m_parts;
   if (!p.frame) return;

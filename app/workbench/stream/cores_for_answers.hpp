@@ -4,13 +4,8 @@
 
 namespace abrazo::app {
 
-/// Lowers the priority of Mesa's software rendering threads: they use all processor cores for milliseconds at
-/// a time, which would delay the answer to a packet. Call after the first picture, which starts them.
-/// @return their number; 0 with a graphics card
-int make_software_renderer_stand_back();
-
-/// While packets are answered, a software renderer and the window's thread leave a quarter of the processor
-/// cores alone, at least one: a lower priority does not keep an answer from waiting behind a thread that
+/// While packets are answered, Mesa's software rendering threads and the window's thread leave a quarter of
+/// the processor cores alone, at least one: otherwise an answer waits for milliseconds behind a thread that
 /// draws. All other threads use every core. No effect with a graphics card or on a single core.
 class CoresForAnswers {
  public:

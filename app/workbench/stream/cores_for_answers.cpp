@@ -1,6 +1,5 @@
-#include "app/workbench/start/thread_priorities.hpp"
+#include "app/workbench/stream/cores_for_answers.hpp"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,7 +13,6 @@
 namespace abrazo::app {
 namespace {
 
-constexpr int steps_back = 10;  ///< of 19; each gives about 20 % less where cores are short
 constexpr int cores_per_kept = 4;
 
 struct Threads {
@@ -38,15 +36,6 @@ void use(const cpu_set_t& cores, pid_t thread) {
 }
 
 }  // namespace
-
-int make_software_renderer_stand_back() {
-  const std::vector<pid_t> rendering = threads_of_this_process().rendering;
-  for (const pid_t thread : rendering) {
-    const auto id = static_cast<id_t>(thread);
-    if (getpriority(PRIO_PROCESS, id) < steps_back) setpriority(PRIO_PROCESS, id, steps_back);
-  }
-  return static_cast<int>(rendering.size());
-}
 
 CoresForAnswers::CoresForAnswers() {
   if (sched_getaffinity(0, sizeof all_, &all_) != 0) return;
