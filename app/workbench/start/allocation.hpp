@@ -12,7 +12,8 @@ namespace abrazo::app {
 constexpr int most_heaps = 24;
 
 /// Has the C library return freed memory to the system. Left alone, glibc raises its limits with every large
-/// block that is freed; after some sessions the heaps hold several times what is in use. Call before any thread is started.
+/// block that is freed; after some sessions the heaps hold several times what is in use. Call before any
+/// thread is started.
 inline void return_freed_memory() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);  // smaller ones cost pictures per second: new pages for each frame
