@@ -1,5 +1,6 @@
 #include "widgets/common/tabular.hpp"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGlyphRun>
 #include <QHash>
@@ -47,15 +48,18 @@ struct Face {
 };
 
 /// Only for the window's thread, as all that draws text.
+QHash<QString, Face>& faces() {
+  static QHash<QString, Face> kept;
+  return kept;
+}
+
 const Face& face_of(const QFont& font) {
-  static QHash<QString, Face> faces;
   const QString key = font.key();
-  auto found = faces.find(key);
-  if (found == faces.end()) {
-    if (faces.size() >= kept_fonts) faces.clear();
-    found = faces.insert(key, Face(font));
-  }
-  return *found;
+  const auto found = faces().constFind(key);
+  if (found != faces().constEnd()) return *found;
+  if (faces().size() >= kept_fonts) faces().clear();
+  if (faces().isEmpty()) qAddPostRoutine([] { faces().clear(); });  // fonts end with the application
+  return *faces().insert(key, Face(font));
 }
 
 }  // namespace

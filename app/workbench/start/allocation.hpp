@@ -7,8 +7,8 @@
 
 namespace abrazo::app {
 
-/// More than the window usually has threads: one that shares the heap of the window's thread holds the window
-/// up for as long as it allocates and frees many small blocks, because the lock of a heap is not fair.
+/// More than the window usually has threads: one that shares the heap of the window's thread can hold
+/// the window up for as long as it has the lock of that heap.
 constexpr int most_heaps = 24;
 
 /// Has the C library return freed memory to the system. Left alone, glibc raises its limits with every large
