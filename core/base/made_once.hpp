@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/progress.hpp"
+#include "core/base/thread_urgency.hpp"
 
 namespace abrazo {
 
@@ -52,6 +53,7 @@ class MadeOnce {
     const std::scoped_lock lock(preparing_);
     if (ready_ || is_preparing_ || stop_) return;
     worker_ = std::jthread([this] {
+      let_others_go_first();
       std::optional<std::string> trouble;
       try {
         get();

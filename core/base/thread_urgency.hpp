@@ -11,4 +11,8 @@ namespace abrazo {
 ///                one that asks for more starts later
 void let_this_thread_go_first(double work_s);
 
+/// Lowers the priority of the calling thread, and of those that it starts: it computes for long, and whoever
+/// draws or answers should not wait for it where cores are short.
+void let_others_go_first();
+
 }  // namespace abrazo

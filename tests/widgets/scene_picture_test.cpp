@@ -116,6 +116,23 @@ TEST(SceneView, WhoeverGrabsItDoesNotWaitForTheNextTurn) {
   EXPECT_GT(pixels_of_hue(picture, dark().active), 6000);
 }
 
+/// Frame buffers are larger than the picture and kept: what is drawn does not depend on the sizes before.
+TEST(SceneView, ShowsTheSameAfterItHadOtherSizes) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});
+  const auto picture = [&scene](const QSize& size) {
+    scene.view.resize(size);
+    QTest::qWait(50);  // until the controls over it have their places
+    scene.view.frameAll();
+    QTest::qWait(300);  // until a camera that glides has arrived
+    return scene.view.grab().toImage();
+  };
+  const QImage first = picture({640, 480});
+  for (const QSize& other : {QSize(1000, 700), QSize(900, 180), QSize(200, 150)}) {
+    picture(other);
+    EXPECT_LT(test::difference(picture({640, 480}), first), 0.001) << other.width();
+  }
+}
+
 TEST(SceneView, ShowsBothCharactersInTheirColours) {
   Scene scene({ScenePart::Leader, ScenePart::Follower});
   const QImage picture = picture_of(scene.view);

@@ -105,6 +105,36 @@ TEST_F(Colours, TheWindowAnswersWhileItsColoursChange) {
   EXPECT_TRUE(until([] { return !widgets::is_applying_theme(); }));
 }
 
+/// The scene asks for a picture with every frame, and the request may come while nothing is painted. The
+/// window was never painted again.
+TEST_F(Colours, WhatIsToBePaintedWhenTheColoursChangeDoesNotStopTheWindow) {
+  struct Painted : QObject {
+    int times = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+      times += event->type() == QEvent::Paint;
+      return false;
+    }
+  };
+  ASSERT_TRUE(until([] { return !widgets::is_applying_theme(); }));
+  QTest::qWait(50);
+  SlowColours slow;
+  QWidget other;  // has the colours change for longer than a request takes
+  for (int i = 0; i < 4; ++i) (new QWidget(&other))->setStyle(&slow);
+  other.show();
+  turn();
+  widgets::TimelineView& timeline = window().timeline();
+  Painted painted;
+  timeline.installEventFilter(&painted);
+  for (const auto theme : {widgets::Theme::Light, widgets::Theme::Dark}) {
+    timeline.update();
+    window().setTheme(theme);
+    ASSERT_TRUE(until([] { return !widgets::is_applying_theme(); }));
+    painted.times = 0;
+    timeline.update();
+    EXPECT_TRUE(until([&painted] { return painted.times > 0; }));
+  }
+}
+
 /// What is hidden is not polished for the new colours until it is shown.
 TEST_F(Colours, WhatWasHiddenDuringAChangeOfColoursHasThemWhenItIsShown) {
   widgets::SettingsPanel& settings = window().settings();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/thread_urgency.hpp"
 #include "widgets/candidates/pin_mark.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -57,6 +58,7 @@ void FeatureMap::wantCloud(UserRole role) {
   update();
   if (!m_library || m_library->pair_count() == 0) return;
   m_worker = std::jthread([this, library = m_library, role] {
+    let_others_go_first();
     auto cloud = std::make_shared<const FeatureCloud>(*library, role);
     QMetaObject::invokeMethod(
         this,

@@ -191,7 +191,12 @@ class LatePolish : public QObject {
     for (; !m_waiting.empty() && clock.elapsed() < enough_ms; m_waiting.pop_back())
       if (QWidget* widget = m_waiting.back()) polish(*widget);
     if (m_waiting.empty())
-      for (QWidget* window : QApplication::topLevelWidgets()) window->setUpdatesEnabled(true);
+      for (QWidget* window : QApplication::topLevelWidgets()) {
+        window->setUpdatesEnabled(true);
+        // What was to be painted before stayed so when its request came while nothing was painted. Qt then
+        // sends no other one, and the window would never be painted again.
+        QCoreApplication::postEvent(window, new QEvent(QEvent::UpdateRequest));
+      }
     goOnLater();
   }
 

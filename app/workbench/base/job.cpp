@@ -5,6 +5,8 @@
 #include <new>
 #include <utility>
 
+#include "core/base/thread_urgency.hpp"
+
 namespace abrazo::app {
 
 namespace {
@@ -30,6 +32,7 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
     cancel();
   });
   m_thread = std::jthread([this, work = std::move(work)] {
+    let_others_go_first();
     const Progress progress = [this](double fraction, std::string_view doing) {
       const QString text = QString::fromUtf8(doing.data(), static_cast<int>(doing.size()));
       QMetaObject::invokeMethod(this, [this, fraction, text] {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/thread_urgency.hpp"
+
 namespace abrazo {
 
 std::shared_future<std::string> LibraryFingerprints::of(const std::shared_ptr<const MotionLibrary>& library) {
@@ -10,6 +12,7 @@ std::shared_future<std::string> LibraryFingerprints::of(const std::shared_ptr<co
   if (const auto found = known_.find(library); found != known_.end()) return found->second;
   // The result outlives the call, and what the call holds with it.
   auto call = [compute = compute_, held = library]() mutable {
+    let_others_go_first();
     const std::shared_ptr<const MotionLibrary> used = std::move(held);
     std::string fingerprint = compute(*used);
     return used->damage() ? std::string() : fingerprint;

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <exception>
 
+#include "core/base/thread_urgency.hpp"
+
 namespace abrazo {
 namespace {
 
@@ -43,6 +45,7 @@ bool ComparisonRunner::is_wanted(std::uint64_t version) {
 }
 
 void ComparisonRunner::serve(const std::stop_token& stop) {
+  let_others_go_first();
   std::uint64_t done = 0;
   while (!stop.stop_requested()) {
     ComparisonTask task;

@@ -19,11 +19,13 @@
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <algorithm>
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr double click_px = 4;  // a hand that only clicks still moves a little
+constexpr int room_step_px = 128;
 
 PointerButtons pressed_in(const QMouseEvent& event) {
   const auto button = [&event](Qt::MouseButton which) { return event.buttons().testFlag(which); };
@@ -49,6 +51,12 @@ std::vector<vtkProp*> shown_props(vtkRenderWindow& window) {
       if (prop->GetVisibility() != 0) props.push_back(prop);
   }
   return props;
+}
+
+/// Width or height of the room for pictures: what is there if it is large enough, and not much too large.
+int room_for(int wanted_px, int there_px) {
+  const bool is_kept = wanted_px <= there_px && there_px <= 2 * wanted_px + room_step_px;
+  return is_kept ? there_px : (wanted_px + room_step_px - 1) / room_step_px * room_step_px;
 }
 
 /// Nothing is compiled for an actor without geometry.
@@ -92,10 +100,17 @@ void GlSurface::makeCurrent() {
 }
 
 /// @return whether there is OpenGL
-bool GlSurface::start() {
+bool GlSurface::connect() {
   if (m_context.isValid()) return true;
   m_place.create();
-  if (!m_context.create() || !m_context.makeCurrent(&m_place)) return false;
+  return m_context.create();
+}
+
+/// @return whether there is OpenGL
+bool GlSurface::start() {
+  if (m_isStarted) return true;
+  if (!connect() || !m_context.makeCurrent(&m_place)) return false;
+  m_isStarted = true;
   m_window->SetReadyForRendering(true);
   m_window->SetIsCurrent(true);
   m_window->OpenGLInitContext();
@@ -122,43 +137,63 @@ bool GlSurface::prepare() {
   constexpr qint64 enough_ms = 12;
   QElapsedTimer clock;
   clock.start();
-  if (!m_window || !fits()) return true;
-  m_window->SetSize(m_picture.width(), m_picture.height());
+  const QSize pixels = wanted();
+  if (!m_window || pixels.isEmpty()) return true;
+  makeRoom(pixels);
   switch (m_stage) {
     case Stage::Nothing:  // the window itself is painted for the first time, too
       m_stage = Stage::Painted;
       return false;
     case Stage::Painted:
-      if (!start()) return true;  // without OpenGL there is nothing to wait for
+      if (!connect()) return true;  // without OpenGL there is nothing to wait for
+      m_stage = Stage::Connected;
+      return false;
+    case Stage::Connected:
+      if (!start()) return true;
       m_stage = Stage::Started;
       return false;
     case Stage::Started:
-      drawNothing();
-      m_stage = Stage::HasBuffers;
-      return false;
-    case Stage::HasBuffers:
       compileNothing();
       m_stage = Stage::HasCompiler;
       return false;
     case Stage::HasCompiler:
-      drawOnly(nullptr);
+      if (!hasBuffers()) return false;
+      drawOnly(nullptr, false);
       m_stage = Stage::HasBackground;
       return false;
     case Stage::HasBackground:
+      if (!hasBuffers()) return false;
+      drawOnly(nullptr, true);
+      m_stage = Stage::HasSmoothing;
+      return false;
+    case Stage::HasSmoothing:
       break;
   }
   std::vector<vtkProp*> rest = uncompiled();
   if (rest.empty()) return true;
-  for (; !rest.empty() && clock.elapsed() < enough_ms; rest.pop_back()) drawOnly(rest.back());
+  for (; !rest.empty() && clock.elapsed() < enough_ms; rest.pop_back()) drawOnly(rest.back(), false);
   return false;
 }
 
-/// Makes the place where pictures are drawn.
-void GlSurface::drawNothing() {
-  const std::vector<vtkRenderer*> layers = layers_of(*m_window);
-  for (vtkRenderer* layer : layers) layer->DrawOff();
-  m_window->Render();
-  for (vtkRenderer* layer : layers) layer->DrawOn();
+/// Frame buffers of the size of the room are made one at a time.
+/// @return whether they all were there
+bool GlSurface::hasBuffers() {
+  if (m_smallBuffers.empty()) return true;
+  makeCurrent();
+  if (!m_window->GetRenderFramebuffer()->GetFBOIndex()) {  // small ones at first
+    m_window->SetSize(1, 1);
+    const std::vector<vtkRenderer*> layers = layers_of(*m_window);
+    for (vtkRenderer* layer : layers) layer->DrawOff();
+    m_window->Render();
+    for (vtkRenderer* layer : layers) layer->DrawOn();
+    m_window->SetSize(m_room.width(), m_room.height());
+  }
+  vtkOpenGLState& state = *m_window->GetState();
+  state.PushFramebufferBindings();
+  m_smallBuffers.back()->Resize(m_room.width(), m_room.height());
+  state.PopFramebufferBindings();
+  m_smallBuffers.pop_back();
+  return false;
 }
 
 /// A driver starts its compiler with the first program.
@@ -173,42 +208,55 @@ void GlSurface::compileNothing() {
 }
 
 /// Into the place where pictures are drawn, from which it is not fetched. @param prop  null: the background
-void GlSurface::drawOnly(vtkProp* prop) {
+void GlSurface::drawOnly(vtkProp* prop, bool smooth) {
   const std::vector<vtkProp*> props = shown_props(*m_window);
   const std::vector<vtkRenderer*> layers = layers_of(*m_window);
-  std::vector<bool> smooth;
-  for (vtkRenderer* layer : layers) smooth.push_back(layer->GetUseFXAA());
-  if (prop)
-    for (vtkRenderer* layer : layers) layer->SetUseFXAA(false);  // compiled with the background
+  std::vector<bool> smoothed;
+  for (vtkRenderer* layer : layers) smoothed.push_back(layer->GetUseFXAA());
+  if (!smooth)
+    for (vtkRenderer* layer : layers) layer->SetUseFXAA(false);
   for (vtkProp* other : props) other->SetVisibility(other == prop);
   m_window->Render();
   for (vtkProp* other : props) other->SetVisibility(1);
-  for (std::size_t i = 0; i < layers.size(); ++i) layers[i]->SetUseFXAA(smooth[i]);
+  for (std::size_t i = 0; i < layers.size(); ++i) layers[i]->SetUseFXAA(smoothed[i]);
   if (prop) m_compiled.insert(prop);
 }
 
 const QImage& GlSurface::picture() {
-  if (m_stale || m_picture.size() != size() * devicePixelRatioF()) draw();
+  if (m_stale || m_picture.size() != wanted()) draw();
   return m_picture;
 }
 
-/// Makes room for a picture of the widget's size. @return whether there is any
-bool GlSurface::fits() {
-  const QSize pixels = size() * devicePixelRatioF();
-  if (m_picture.size() != pixels) {
-    m_picture = QImage(pixels, QImage::Format_RGB32);
-    m_picture.fill(palette().color(QPalette::Window));
-    m_fetched.resize(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()));
+QSize GlSurface::wanted() const {
+  return size() * devicePixelRatioF();
+}
+
+/// Has the layers draw into a corner of a room for pictures that is large enough.
+void GlSurface::makeRoom(const QSize& pixels) {
+  const QSize room(room_for(pixels.width(), m_room.width()), room_for(pixels.height(), m_room.height()));
+  if (room != m_room) {
+    m_smallBuffers = {m_window->GetDisplayFramebuffer(), m_window->GetRenderFramebuffer()};
+    m_stage = std::min(m_stage, Stage::HasBackground);  // smoothing has a buffer of its own
+    m_room = room;
   }
-  return !pixels.isEmpty();
+  m_window->SetSize(room.width(), room.height());  // without a context it would size nothing
+  for (vtkRenderer* layer : layers_of(*m_window))
+    layer->SetViewport(0, 0, static_cast<double>(pixels.width()) / room.width(),
+                       static_cast<double>(pixels.height()) / room.height());
 }
 
 void GlSurface::draw() {
   m_stale = false;
-  if (!fits() || !m_window || !start()) return;
-  m_window->SetSize(m_picture.width(), m_picture.height());  // without a context it would size nothing
+  const QSize pixels = wanted();
+  if (m_picture.size() != pixels) {
+    m_picture = QImage(pixels, QImage::Format_RGB32);
+    m_picture.fill(palette().color(QPalette::Window));
+  }
+  if (pixels.isEmpty() || !m_window || !start()) return;
+  makeRoom(pixels);
   for (vtkProp* prop : uncompiled()) m_compiled.insert(prop);
-  m_stage = Stage::HasBackground;
+  m_stage = Stage::HasSmoothing;
+  m_smallBuffers.clear();  // VTK makes what is missing
   m_window->Render();
   makeCurrent();  // listeners of the end of a picture may have changed the context
   fetch();
@@ -217,6 +265,8 @@ void GlSurface::draw() {
 
 void GlSurface::fetch() {
   const int width = m_picture.width(), height = m_picture.height();
+  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (m_fetched.size() < size) m_fetched.resize(size);
   auto* gl = m_context.extraFunctions();
   vtkOpenGLState& state = *m_window->GetState();
   vtkOpenGLFramebufferObject& drawn = *m_window->GetRenderFramebuffer();
@@ -244,12 +294,20 @@ void GlSurface::paintEvent(QPaintEvent*) {
   const QPaintDevice* target = redirected(&corner);
   const bool is_grabbed = target && target->devType() == QInternal::Pixmap;
   if (is_requested && !is_grabbed && !prepare()) {
-    painter.drawImage(0, 0, m_picture);
+    paintLast(painter);
     return QTimer::singleShot(1, this, [this] { update(); });  // at 0 only when there is nothing else to do
   }
   painter.drawImage(0, 0, picture());
   // Reported when the window has it.
   if (is_requested && shown) QTimer::singleShot(0, this, [this] { shown(); });
+}
+
+/// The picture before, in the middle: it may have another size.
+void GlSurface::paintLast(QPainter& painter) {
+  QRectF place(QPointF(), QSizeF(m_picture.size()) / m_picture.devicePixelRatio());
+  place.moveCenter(QRectF(rect()).center());
+  if (!place.contains(rect())) painter.fillRect(rect(), palette().color(QPalette::Window));
+  painter.drawImage(place.topLeft(), m_picture);
 }
 
 void GlSurface::mousePressEvent(QMouseEvent* event) {

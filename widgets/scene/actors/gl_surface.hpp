@@ -12,7 +12,9 @@
 
 #include "widgets/scene/values/pointer_moves.hpp"
 
+class QPainter;
 class vtkGenericOpenGLRenderWindow;
+class vtkOpenGLFramebufferObject;
 class vtkProp;
 
 namespace abrazo::widgets {
@@ -59,16 +61,19 @@ class GlSurface : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  bool connect();
   bool start();
   bool prepare();
   std::vector<vtkProp*> uncompiled() const;
-  void drawNothing();
+  bool hasBuffers();
   void compileNothing();
-  void drawOnly(vtkProp* prop);
+  void drawOnly(vtkProp* prop, bool smooth);
   void makeCurrent();
-  bool fits();
+  QSize wanted() const;
+  void makeRoom(const QSize& pixels);
   void draw();
   void fetch();
+  void paintLast(QPainter& painter);
 
   QOffscreenSurface m_place;
   QOpenGLContext m_context;
@@ -76,11 +81,16 @@ class GlSurface : public QWidget {
   /// What was drawn once. A driver compiles a program for an object when it draws it for the first time.
   std::unordered_set<vtkProp*> m_compiled;
   /// What a first picture needs before its objects, each in a turn of its own.
-  enum class Stage { Nothing, Painted, Started, HasBuffers, HasCompiler, HasBackground };
+  enum class Stage { Nothing, Painted, Connected, Started, HasCompiler, HasBackground, HasSmoothing };
   Stage m_stage = Stage::Nothing;
+  /// Size of the window's frame buffers, larger than a picture: with a software renderer new ones take tens
+  /// of milliseconds.
+  QSize m_room{0, 0};
+  std::vector<vtkOpenGLFramebufferObject*> m_smallBuffers;  ///< those that do not have the size of the room
   std::vector<quint32> m_fetched;  ///< as OpenGL gives it: from the bottom, red first
   QImage m_picture;
   bool m_stale = true;
+  bool m_isStarted = false;
   QPointF m_last, m_pressed;
   bool m_isClick = false, m_isTaken = false;
 };
