@@ -217,13 +217,13 @@ Result<std::vector<LibraryPtr>> LibrarySearch::all(std::vector<std::string>& war
   for (auto reference = references.begin(); reference != references.end(); ++reference) {
     if (std::any_of(references.begin(), reference, [&](const auto& one) { return same(one, *reference); }))
       continue;
-    if (given_ && made_of(*given_, &*reference).fits) {
+    if (given_ && (made_of(*given_, &*reference).fits || has_motion_of(*reference, *given_->library))) {
       given_fits = true;
       continue;
     }
     const auto found = search(&*reference, progress);
     const Status there = found ? found->fits : Status(found.error());
-    if (there)
+    if (there || (found && has_motion_of(*reference, *found->material.library)))
       libraries.push_back(found->material.library);
     else
       warnings.push_back(there.error().text() + "; frames solved with it have no mesh");

@@ -9,6 +9,7 @@
 #include "core/opening/import_rules.hpp"
 #include "core/opening/library_search.hpp"
 #include "core/opening/open_files.hpp"
+#include "core/session/file/library_reference.hpp"
 #include "core/session/frames/frame_history.hpp"
 
 namespace abrazo {
@@ -59,7 +60,8 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
   if (!found)
     return Error{found.error().message + "; open the session together with its library (both files at once)",
                  found.error().where};
-  if (!found->fits)
+  // Other labels than when a frame was recorded change nothing that is shown of it.
+  if (!found->fits && !(has_frames && has_motion_of(references.back(), *found->material.library)))
     found->material.warnings.push_back(found->fits.error().text() +
                                        "; meshes and selected pairs of the recorded frames may be wrong");
   return found;
@@ -137,6 +139,19 @@ Status add_input(const OpenedProject& project, Material& material) {
     return read_input(reading_of(project, motion, material.warnings), material);
   const int take = material.library->find_take(project.project().input);
   if (take < 0 && !material.input.poses.empty()) return Done{};  // of a generated set
+  // The library may have been taken from what is open, or from a file.
+  if (const auto generate = generated_of_name(material.library->name()); take < 0 && generate) {
+    auto generated = generate({});
+    if (!generated) return generated.error();
+    if (generated->input.name == project.project().input) {
+      material.input = std::move(generated->input);
+      return Done{};
+    }
+  }
+  if (take < 0 && !project.project().input.empty() && !material.library->takes().empty())
+    material.warnings.push_back(
+        fmt::format("the motion \"{}\" is not there; the take {} plays the user instead",
+                    project.project().input, material.library->takes().back().name));
   material = danced_with(material, take < 0 ? static_cast<int>(material.library->takes().size()) - 1 : take);
   return Done{};
 }

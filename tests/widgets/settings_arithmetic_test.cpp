@@ -54,6 +54,7 @@ TEST(SettingHelp, IsFoundByAnyOfItsWords) {
   for (const char* words : {"", "alpha", "TEMPORAL", "smooth coherence", "selection", "eq. 7"})
     EXPECT_TRUE(matches(alpha, words)) << words;
   EXPECT_FALSE(matches(alpha, "temporal foot"));
+  EXPECT_TRUE(matches(*find_setting("velocity-weight"), "w_delta")) << "Greek letters are hard to type";
 }
 
 TEST(SliderScale, KeysGoThroughWholeNumbersOneByOneAlsoWhereTheScaleIsLogarithmic) {

@@ -96,6 +96,11 @@ class Annotating : public DemoWindow {
     QTest::keyClick(open_picker()->findChild<QLineEdit*>(), static_cast<Qt::Key>(key));
     turn();
   }
+  /// The key of a value, after which nothing else is typed.
+  static void choose(int key) {
+    type(key);
+    EXPECT_TRUE(until([] { return !open_picker(); }));
+  }
   static void key(int key, Qt::KeyboardModifiers held = {}) {
     QTest::keyClick(&timeline(), static_cast<Qt::Key>(key), held);
     turn();
@@ -136,7 +141,7 @@ TEST_F(Annotating, ADragDrawsAndADigitSaysWhat) {
   drag(2, 4);
   ASSERT_TRUE(open_picker());
   EXPECT_TRUE(labels().empty()) << "not before it says something";
-  type(Qt::Key_2);
+  choose(Qt::Key_2);
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_EQ(labels()[0].value, "two");
   EXPECT_NEAR(labels()[0].start_s, 2, 0.05);
@@ -147,6 +152,47 @@ TEST_F(Annotating, ADragDrawsAndADigitSaysWhat) {
   EXPECT_TRUE(labels().empty());
   press(Qt::Key_Y, Qt::ControlModifier);
   EXPECT_EQ(labels().size(), 1u);
+}
+
+/// "2" is the key of "two": at once it took the label, and the rest of the text were commands of the window.
+TEST_F(Annotating, ATextMayBeginWithTheKeyOfAValue) {
+  drag(2, 4);
+  ASSERT_TRUE(open_picker());
+  QTest::keyClicks(open_picker()->findChild<QLineEdit*>(), "2-step");
+  ASSERT_TRUE(open_picker());
+  EXPECT_EQ(open_picker()->value(), "2-step");
+  type(Qt::Key_Return);
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_EQ(labels()[0].value, "2-step");
+  drag(5, 6);
+  QTest::keyClick(open_picker()->findChild<QLineEdit*>(), Qt::Key_2);
+  type(Qt::Key_Return);
+  EXPECT_EQ(labels().back().value, "two") << "Return need not be waited for";
+}
+
+TEST_F(Annotating, APlaceInATakeIsAFrame) {
+  ticker().seek(100.4 * frame_s());
+  turn();
+  EXPECT_NEAR(ticker().playback().cursor_s, 100 * frame_s(), 1e-9);
+  EXPECT_EQ(ticker().shown()->input_frame, 100);
+  ticker().seek(100.6 * frame_s());
+  turn();
+  EXPECT_EQ(ticker().shown()->input_frame, 101) << "where an edge at the cursor would be";
+}
+
+TEST_F(Annotating, ALabelIsPlayedRoundAndRound) {
+  const int id = add(3, 5, "one");
+  window().document().selectLabel(id);
+  key(Qt::Key_L, Qt::AltModifier);
+  const Playback& playback = ticker().playback();
+  EXPECT_EQ(playback.state, Playback::State::Playing);
+  EXPECT_TRUE(playback.loop);
+  EXPECT_NEAR(playback.in_s, label(id).start_s, 1e-9);
+  EXPECT_NEAR(playback.out_s, label(id).end_s, 1e-9);
+  ticker().pause();
+  ticker().clearIn();
+  ticker().clearOut();
+  ticker().setLoop(false);
 }
 
 TEST_F(Annotating, EscapeAtTheQuestionDrawsNothing) {
@@ -201,7 +247,7 @@ TEST_F(Annotating, ReturnEditsWhatIsSelectedAndDelRemovesIt) {
   EXPECT_EQ(window().document().labels().selected(), id);
   EXPECT_NEAR(ticker().playback().cursor_s, 4, 0.05) << "a click goes there, as anywhere";
   key(Qt::Key_Return);
-  type(Qt::Key_2);
+  choose(Qt::Key_2);
   EXPECT_EQ(label(id).value, "two");
   timeline().setFocus();
   key(Qt::Key_Delete);
@@ -249,7 +295,7 @@ TEST_F(Annotating, NLabelsWhatIsBetweenInAndOut) {
   ticker().setRange(2, 3.5);
   turn();
   key(Qt::Key_N);
-  type(Qt::Key_1);
+  choose(Qt::Key_1);
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_NEAR(labels()[0].start_s, 2, 1e-6);
   EXPECT_NEAR(labels()[0].end_s, 3.5, 1e-6);

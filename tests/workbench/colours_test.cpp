@@ -1,6 +1,7 @@
 // Another theme in an open window: what changes, in how many turns, and what is seen of it.
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QProxyStyle>
 #include <QTest>
@@ -133,6 +134,14 @@ TEST_F(Colours, WhatIsToBePaintedWhenTheColoursChangeDoesNotStopTheWindow) {
     timeline.update();
     EXPECT_TRUE(until([&painted] { return painted.times > 0; }));
   }
+}
+
+/// Without it Qt draws the list as a menu, whose chosen entry is white on white here.
+TEST_F(Colours, ListsOfFieldsAreListsAndNotMenus) {
+  QComboBox field;
+  field.addItems({"one", "two"});
+  field.show();
+  EXPECT_EQ(field.style()->styleHint(QStyle::SH_ComboBox_Popup, nullptr, &field), 0);
 }
 
 /// What is hidden is not polished for the new colours until it is shown.

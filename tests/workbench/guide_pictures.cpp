@@ -35,7 +35,8 @@
 namespace abrazo::app {
 namespace {
 
-constexpr QSize window_size(1600, 1000);
+constexpr QSize window_size(1600, 1000), tall_window_size(1600, 1500);
+constexpr double intent_shown_s = 17;
 constexpr double shown_time_s = 30;  ///< of the session, where the cursor is parked
 constexpr double compared_from_s = 20;
 constexpr double previewed_s = 6;  ///< of the take on other bodies
@@ -75,8 +76,9 @@ class Pictures {
     save(m_window, name);
   }
 
-  /// Every panel there is, by itself, in the place it has when it is shown.
+  /// Every panel there is, by itself, in the place it has when it is shown, with room for all of it.
   void panels() {
+    m_window.resize(tall_window_size);
     for (QDockWidget* dock : m_window.panels().panels()) {
       const bool before = m_window.panels().isWanted(dock->objectName());
       m_window.panels().want(dock->objectName(), true);
@@ -85,6 +87,11 @@ class Pictures {
       save(*dock, "panel-" + dock->objectName());
       m_window.panels().want(dock->objectName(), before);
     }
+    m_window.resize(window_size);
+  }
+
+  void trigger(const QString& action) {
+    if (QAction* found = of_text(action)) found->trigger();
   }
 
   bool hasDialog() const {
@@ -106,19 +113,14 @@ class Pictures {
   /// What an action of the menus opens, modal or not.
   /// @param button  of it, by object name, that is pressed `seconds` before the picture; empty for none
   void dialog(const QString& action, const QString& name, const QString& button = {}, int seconds = 0) {
-    QAction* found = nullptr;
-    for (QAction* candidate : m_window.findChildren<QAction*>())
-      if (candidate->text() == action) found = candidate;
-    if (!found) {
-      std::printf("%s: there is no such action\n", qPrintable(action));
-      m_complete = false;
-      return;
-    }
+    QAction* found = of_text(action);
+    if (!found) return;
     if (!button.isEmpty())
       QTimer::singleShot(500, &m_window, [this, button] {
         if (auto* pressed = m_window.findChild<QPushButton*>(button)) pressed->click();
       });
-    QTimer::singleShot(700 + 1000 * seconds, &m_window, [this, name] { saveDialogs(name); });
+    QTimer::singleShot(700 + 1000 * seconds, Qt::PreciseTimer, &m_window,
+                       [this, name] { saveDialogs(name); });
     found->trigger();
     wait(1200 + 1000 * seconds);
   }
@@ -126,6 +128,18 @@ class Pictures {
   bool complete() const { return m_complete; }
 
  private:
+  /// The last one: a menu's title comes before its entries.
+  QAction* of_text(const QString& text) {
+    QAction* found = nullptr;
+    for (QAction* each : m_window.findChildren<QAction*>())
+      if (each->text() == text) found = each;
+    if (!found) {
+      std::printf("%s: there is no such action\n", qPrintable(text));
+      m_complete = false;
+    }
+    return found;
+  }
+
   MainWindow& m_window;
   QDir m_folder;
   bool m_complete = true;
@@ -144,6 +158,33 @@ QStringList written_couples(const QDir& folder) {
     }
   }
   return files;
+}
+
+/// A motion that lies, as far as its file says, which opens the import panel.
+QStringList doubtful_motion(const QDir& folder) {
+  ChoreographyOptions dance;
+  dance.minutes = 0.2;
+  Clip clip = generate_salsa(dance).front().a;
+  for (Pose& pose : clip.poses) {
+    pose.col(1).swap(pose.col(2));
+    pose.col(1) *= -1;
+  }
+  const QString file = folder.filePath("walk_z.bvh");
+  const auto text = write_bvh(std::span(&clip, 1));
+  if (!text || !write_whole_file(file.toStdString(), *text)) return {};
+  return {file};
+}
+
+/// The mesh cut open, with the plane's handles and the figures of what is shown.
+void cut(MainWindow& window, Pictures& pictures) {
+  pictures.trigger("Cut");
+  widgets::SceneOptions options = window.scene().options();
+  options.cut_in_world = true;
+  window.scene().setOptions(options);
+  wait(1500);
+  pictures.window("cut");
+  pictures.dialog("Figures of the selection…", "figures", {}, 2);
+  pictures.trigger("Cut");
 }
 
 /// A frozen, B other settings: what a comparison has to show.
@@ -198,8 +239,11 @@ void live(MainWindow& window, Pictures& pictures) {
   window.panels().panel("latency")->raise();
   wait(8000);
   pictures.window("live");
+  window.resize(tall_window_size);
+  wait(1000);
   pictures.save(*window.panels().panel("connection"), "connection");
   pictures.save(*window.panels().panel("latency"), "latency");
+  window.resize(window_size);
   for (const char* panel : {"connection", "latency"}) window.panels().want(panel, false);
   for (QAction* action : window.actions())
     if (action->text() == "Disconnect") action->trigger();
@@ -244,18 +288,23 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   const auto solved = [&window] {
     return window.session() && window.session()->history().span().last_s > shown_time_s + 2;
   };
+  const auto intent_seen = [&window] {
+    return window.session() && window.session()->history().span().last_s > intent_shown_s;
+  };
   const auto under_way = [&window] {
     return window.session() && window.session()->history().span().last_s > compared_from_s;
   };
+  Pictures pictures(window, QDir(QDir(out).absolutePath()));
+  if (QDir().mkpath(out) && until(intent_seen, patience_ms)) pictures.window("intent");
   if (until(under_way, patience_ms)) compare(window);
-  if (!QDir().mkpath(out) || !until(solved, patience_ms)) {
+  if (!until(solved, patience_ms)) {
     std::printf("%s: the folder cannot be made, or nothing was solved\n", qPrintable(out));
     return 1;
   }
-  Pictures pictures(window, QDir(QDir(out).absolutePath()));
   window.ticker().seek(shown_time_s);
   wait(3000);  // until the comparison at the cursor is there
   pictures.window("workbench");
+  cut(window, pictures);
   pictures.panels();
   annotate(window, pictures);
   live(window, pictures);
@@ -267,6 +316,11 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   (void)until([&pictures] { return pictures.hasDialog(); }, patience_ms);
   wait(3000);
   pictures.saveDialogs("build");
+  pictures.dialog("Help", "help", {}, 2);
+  window.openFiles(doubtful_motion(QDir(home.path())));
+  (void)until([&pictures] { return pictures.hasDialog(); }, patience_ms);
+  wait(3000);
+  pictures.saveDialogs("import");
   return pictures.complete() ? 0 : 1;
 }
 

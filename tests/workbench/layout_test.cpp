@@ -109,6 +109,17 @@ TEST_F(Layout, IsAtRestWhenNothingChanges) {
 }
 
 /// A small window hides them all; the first of a place was in front afterwards.
+/// In a small window there is no room for them until they are asked for.
+TEST_F(Layout, APlotThatIsAddedIsSeen) {
+  window().resize(1280, 720);
+  QTest::qWait(50);
+  ASSERT_FALSE(panel("plots").isVisible()) << "the case needs a window without them";
+  for (QAction* action : window().findChildren<QAction*>())
+    if (action->text() == "Add plot: energy") action->trigger();
+  EXPECT_TRUE(until([] { return panel("plots").isVisible(); }));
+  EXPECT_GT(panel("plots").height(), 60);
+}
+
 TEST_F(Layout, ThePanelThatWasInFrontIsThereAgainWhenThereIsRoomAgain) {
   window().resize(1600, 1000);
   QTest::qWait(50);

@@ -18,6 +18,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int value_role = Qt::UserRole;
+constexpr int text_goes_on_ms = 500;  ///< a key after which another one comes earlier is text
 constexpr int row_px = 24, most_rows = 12, width_px = 280;
 
 QPixmap swatch(const QColor& colour, double scale) {
@@ -61,8 +62,11 @@ ValuePicker::ValuePicker(QWidget& window, const Question& question, const Palett
   column->addWidget(m_hint);
   connect(&field(), &QLineEdit::textEdited, this, [this](const QString& typed) {
     m_untouched = false;
-    fill(typed);
+    if (!m_chosen.isActive()) fill(typed);
   });
+  m_chosen.setSingleShot(true);
+  m_chosen.setInterval(text_goes_on_ms);
+  connect(&m_chosen, &QTimer::timeout, this, [this] { this->take(m_chosenValue); });
   connect(m_list, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { this->take(item->data(value_role).toString()); });
   fill({});
@@ -109,6 +113,10 @@ void ValuePicker::settle() {
 }
 
 bool ValuePicker::press(const QKeyEvent& key) {
+  const bool was_chosen = m_chosen.isActive();
+  m_chosen.stop();
+  if (was_chosen && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter))
+    return this->take(m_chosenValue), true;
   if (EntryFrame::press(key) || moveOrPick(key)) return true;
   m_untouched = false;
   return false;
@@ -122,8 +130,12 @@ bool ValuePicker::moveOrPick(const QKeyEvent& key) {
   }
   if (!m_untouched || key.text().size() != 1) return false;
   const VocabularyEntry* entry = m_question.tier.entry_of_key(key.text().at(0).toLatin1());
-  if (entry) take(QString::fromStdString(entry->value));
-  return entry != nullptr;
+  if (!entry) return false;
+  m_chosenValue = QString::fromStdString(entry->value);
+  for (int row = 0; row < m_list->count(); ++row)
+    if (m_list->item(row)->data(value_role) == m_chosenValue) m_list->setCurrentRow(row);
+  m_chosen.start();
+  return false;  // into the field as well: it may be the first letter of a text
 }
 
 }  // namespace abrazo::widgets

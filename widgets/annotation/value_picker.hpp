@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QTimer>
+
 #include "core/annotation/annotations.hpp"
 #include "widgets/common/entry_frame.hpp"
 #include "widgets/common/palette.hpp"
@@ -9,8 +11,9 @@ class QListWidget;
 namespace abrazo::widgets {
 
 /// A field for the value of a label, with the tier's vocabulary below it. The key of a value accepts it
-/// immediately while the field is empty; typing completes from the vocabulary; Return accepts the marked or
-/// typed value. Keys typed here do not trigger commands of the window.
+/// while the field is empty, unless another key follows within half a second: then it begins a text. Typing
+/// completes from the vocabulary; Return accepts the marked or typed value. Keys typed here do not trigger
+/// commands of the window.
 class ValuePicker : public EntryFrame {
   Q_OBJECT
  public:
@@ -41,6 +44,8 @@ class ValuePicker : public EntryFrame {
   QListWidget* m_list;
   QLabel* m_hint;
   bool m_untouched = true;
+  QTimer m_chosen;  ///< runs while a key of the vocabulary may still begin a text
+  QString m_chosenValue;
 };
 
 }  // namespace abrazo::widgets

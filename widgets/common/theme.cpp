@@ -82,7 +82,7 @@ QLineEdit:focus { border-color: %7; }
 QLineEdit#value { background: transparent; border: 1px solid transparent; border-radius: 4px; padding: 0 2px; }
 QLineEdit#value:hover { border-color: %4; }
 QLineEdit#value:focus { background: %1; border-color: %7; }
-QComboBox { background: %1; border: 1px solid %4; border-radius: 5px; padding: 2px 8px; min-height: 18px; }
+QComboBox { background: %1; border: 1px solid %4; border-radius: 5px; padding: 2px 8px; min-height: 18px; combobox-popup: 0; }
 QComboBox:hover, QComboBox:focus { border-color: %6; }
 QComboBox::drop-down { border: none; width: 18px; }
 QComboBox::down-arrow { image: url(:/abrazo/icons/chevron_%9.svg); width: 10px; height: 10px; }

@@ -1,6 +1,8 @@
 #include "widgets/settings/setting_help.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/base/text.hpp"
 #include "widgets/common/typeset.hpp"
@@ -66,10 +68,25 @@ std::string setting_description(const SettingInfo& info) {
   return text + "Range " + value_range(info) + ", default " + preset_values(info);
 }
 
+namespace {
+
+/// With the names of Greek letters, which are hard to type.
+std::string spelled_out(std::string_view text) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> letters = {
+      {{"α", "alpha"}, {"Δ", "delta"}, {"λ", "lambda"}, {"κ", "kappa"}}};
+  std::string spelled(text);
+  for (const auto& [letter, name] : letters)
+    for (std::size_t at = 0; (at = spelled.find(letter, at)) != std::string::npos;)
+      spelled.replace(at, letter.size(), name);
+  return spelled;
+}
+
+}  // namespace
+
 bool matches(const SettingInfo& info, std::string_view wanted) {
   std::string where;
   for (const std::string_view part : {info.key, info.symbol, info.title, info.group, info.help})
-    where += lower_case(part) + "\n";
+    where += lower_case(part) + "\n" + lower_case(spelled_out(part)) + "\n";
   const std::string words = lower_case(wanted);
   for (const std::string_view word : split_words(words))
     if (where.find(word) == std::string::npos) return false;

@@ -7,7 +7,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr std::array<CommandWords, 26> other_words = {{
+constexpr std::array<CommandWords, 34> other_words = {{
     {"annotation.export_labels",
      "export eaf elan csv json vtt srt subtitles annotations roles moves file save write"},
     {"annotation.import_labels",
@@ -15,8 +15,11 @@ constexpr std::array<CommandWords, 26> other_words = {{
     {"file.export",
      "bvh glb gltf csv numpy npz vtu paraview blender motion mesh trace labels eaf file save write"},
     {"file.save_picture_of_the_window", "screenshot png image"},
-    {"annotation.annotate_take", "label annotations eaf"},
+    {"annotation.annotate_take", "label annotations eaf controlled vocabulary"},
     {"annotation.new_label", "annotate draw interval segment"},
+    {"annotation.next_label", "find search annotation"},
+    {"annotation.loop_the_label", "play repeat selection range annotation"},
+    {"timeline.marker_with_a_name", "comment note bookmark"},
     {"annotation.change_of_role_here", "leader follower leads active passive swap"},
     {"live.switch_the_user_s_role", "leader follower leads active passive swap"},
     {"library.retarget_take",
@@ -25,6 +28,11 @@ constexpr std::array<CommandWords, 26> other_words = {{
     {"edit.undo", "revert back"},
     {"edit.redo", "again repeat"},
     {"play.play_or_pause", "start stop space"},
+    {"play.slower", "slow motion half speed rate"},
+    {"play.faster", "double speed rate"},
+    {"play.normal_speed", "rate reset"},
+    {"play.loop", "repeat selection range"},
+    {"play.loop_back_and_forth", "repeat ping pong"},
     {"play.follow_the_live_end", "live now newest end"},
     {"help.help", "guide manual documentation f1 how"},
     {"help.keys", "shortcuts hotkeys keyboard bindings"},

@@ -20,6 +20,17 @@ void step(MainWindow& window, AnnotationDesk& desk, int by) {
   window.ticker().seek(label->start_s);
 }
 
+/// The chosen label between in and out, played round and round.
+void loop(MainWindow& window, AnnotationDesk& desk) {
+  const auto label = chosen_label(window.document().annotations(), desk.place());
+  if (!label) return window.messages().showInformation(words(label.error()));
+  FrameTicker& ticker = window.ticker();
+  ticker.setRange(label->start_s, label->end_s);
+  ticker.setLoop(true);
+  ticker.seek(label->start_s);
+  if (ticker.playback().state != Playback::State::Playing) ticker.toggle();
+}
+
 /// @param frames  of the subject, or of the input where the subject has no fixed rate
 void nudge(MainWindow& window, AnnotationDesk& desk, LabelEdge edge, int frames) {
   const double input_hz = window.transport().rate();
@@ -63,6 +74,8 @@ void add_label_actions(MainWindow& window, AnnotationDesk& desk, LabelQuestions&
              [&window, &desk] { step(window, desk, -1); });
   add_action(window, menu, "Next label", {QKeySequence("Ctrl+Down")},
              [&window, &desk] { step(window, desk, 1); });
+  add_action(window, menu, "Loop the label", {QKeySequence("Alt+L")},
+             [&window, &desk] { loop(window, desk); });
   add_nudges(window, desk, menu);
   QMenu* copy = menu->addMenu("Copy label to the tier");
   QObject::connect(copy, &QMenu::aboutToShow, &questions, [&questions, copy] {

@@ -36,6 +36,12 @@ QString looked_at(const FoundData& found) {
   return places.join("\n");
 }
 
+/// Those with its ending: it may have another name now.
+QString files_like(const QString& name) {
+  const QString ending = QFileInfo(name).suffix();
+  return ending.isEmpty() ? name + " (" + name + ")" : QString("%1 files (*.%1)").arg(ending);
+}
+
 constexpr std::chrono::milliseconds look_for_cancel(100);
 
 /// Everything but `answer` belongs to the window's thread.
@@ -153,8 +159,8 @@ void RelocateDialog::locate() {
   if (index >= m_project->project().data.size()) return;
   const QString name = name_of(m_project->project().data[index]);
   const QString folder = QFileInfo(QString::fromStdString(m_project->file)).absolutePath();
-  const QString file = widgets::choose_file(this, "Where is " + name + " now?", folder,
-                                            name + " (" + name + ");;All files (*)");
+  const QString file =
+      widgets::choose_file(this, "Where is " + name + " now?", folder, files_like(name) + ";;All files (*)");
   if (!file.isEmpty()) pointOut(index, file);
 }
 

@@ -142,7 +142,7 @@ void FrameTicker::pause() {
 }
 
 void FrameTicker::seek(double time_s) {
-  m_playback.seek(time_s);
+  m_playback.seek(m_frames_hz > 0 ? std::round(time_s * m_frames_hz) / m_frames_hz : time_s);
   changed();
 }
 

@@ -38,6 +38,8 @@ class FrameTicker : public QObject {
   void toggle();
   void pause();
   void seek(double time_s);
+  /// Places that are asked for snap to frames of this rate; 0: they do not.
+  void setFrameRate(double frames_hz) { m_frames_hz = frames_hz; }
   void step(int frames);
   void goToStart();
   void follow();
@@ -89,6 +91,7 @@ class FrameTicker : public QObject {
   const LatestSlot<FrameSnapshot>* m_latest = nullptr;
   std::function<std::uint64_t()> m_pictures;
   std::uint64_t m_picturesWhenShown = 0;
+  double m_frames_hz = 0;
   double m_achieved = 1, m_played_s = 0, m_elapsed_s = 0;
 };
 

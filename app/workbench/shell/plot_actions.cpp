@@ -7,6 +7,7 @@
 #include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/plots/plot_panel.hpp"
@@ -51,6 +52,7 @@ void add_panes(MainWindow& window, QMenu* menu) {
     const QString name = QString::fromUtf8(group.data(), static_cast<int>(group.size())).toLower();
     add_action(window, menu, "Add plot: " + name, {}, [&window, &plots, group] {
       const int before = plots.paneCount();
+      window.panels().want("plots", true);
       plots.addPane(widgets::usual_series(group));
       if (plots.paneCount() == before)
         window.messages().showInformation(

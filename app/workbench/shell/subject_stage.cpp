@@ -51,6 +51,7 @@ void SubjectStage::look(const std::shared_ptr<const TakeFrames>& take) {
   m_window.timeline().showOfTake(take != nullptr);
   m_window.transport().showOfTake(take != nullptr);
   m_window.ticker().setSources(&session.history(), &session.latest());
+  m_window.ticker().setFrameRate(take ? take->fps() : 0);
 }
 
 void SubjectStage::restore(const std::string& subject) {
@@ -89,6 +90,7 @@ void SubjectStage::renew() {
 
 void SubjectStage::forget() {
   m_take.reset();
+  m_window.ticker().setFrameRate(0);
   m_places.clear();
   m_window.document().setSubject("");
   m_heldInput = false;

@@ -37,41 +37,54 @@ class Fingerprint : public ContentHash {
 
 std::string library_fingerprint(const MotionLibrary& library) {
   const LibraryColumns& columns = library.columns();
-  Fingerprint sum;
-  sum.add(columns.rate_hz);
-  sum.add(std::uint64_t{columns.roles_exchanged});
+  Fingerprint motion, said;
+  motion.add(columns.rate_hz);
+  motion.add(std::uint64_t{columns.roles_exchanged});
   for (const LibraryTake& take : columns.takes) {
-    sum.add(take.name);
-    sum.add(take.fps);
-    sum.add(static_cast<std::uint64_t>(take.frames));
-    sum.add(static_cast<std::uint64_t>(take.frame_stride));
+    motion.add(take.name);
+    motion.add(take.fps);
+    motion.add(static_cast<std::uint64_t>(take.frames));
+    motion.add(static_cast<std::uint64_t>(take.frame_stride));
+    said.add(static_cast<std::uint64_t>(take.labels.size()));
     for (const LabelInterval& label : take.labels) {
-      sum.add(static_cast<std::uint64_t>(label.start));
-      sum.add(static_cast<std::uint64_t>(label.end));
-      sum.add(label.label);
+      said.add(static_cast<std::uint64_t>(label.start));
+      said.add(static_cast<std::uint64_t>(label.end));
+      said.add(label.label);
     }
   }
   for (const LibraryBody& body : columns.bodies) {
-    for (const double length : body.body.bone_lengths) sum.add(length);
-    for (const double length : body.body.pseudo_lengths) sum.add(length);
-    for (const double radius : body.capsule_radii) sum.add(radius);
-    sum.add(body.body.toe_rest_height);
+    for (const double length : body.body.bone_lengths) motion.add(length);
+    for (const double length : body.body.pseudo_lengths) motion.add(length);
+    for (const double radius : body.capsule_radii) motion.add(radius);
+    motion.add(body.body.toe_rest_height);
   }
-  for (const PairSource& source : columns.sources)
-    sum.add((std::uint64_t{source.take} << 40) ^ (std::uint64_t{source.frame} << 8) ^
-            (std::uint64_t{source.swapped} << 4) ^ static_cast<std::uint64_t>(source.annotated));
+  for (const PairSource& source : columns.sources) {
+    motion.add((std::uint64_t{source.take} << 40) ^ (std::uint64_t{source.frame} << 8) ^
+               std::uint64_t{source.swapped});
+    said.add(static_cast<std::uint64_t>(source.annotated));
+  }
   for (const RootFrame& root : columns.roots) {
-    sum.add_matrix(root.position);
-    sum.add(root.heading_rad);
+    motion.add_matrix(root.position);
+    motion.add(root.heading_rad);
   }
-  for (const PairPose& pose : columns.poses) sum.add_matrix(pose);
-  for (const MeshEdge& edge : columns.edges) sum.add_indices(edge);
-  for (const MeshTetrahedron& tetrahedron : columns.tetrahedra) sum.add_indices(tetrahedron);
-  return sum.text();
+  for (const PairPose& pose : columns.poses) motion.add_matrix(pose);
+  for (const MeshEdge& edge : columns.edges) motion.add_indices(edge);
+  for (const MeshTetrahedron& tetrahedron : columns.tetrahedra) motion.add_indices(tetrahedron);
+  said.add(motion.text());
+  return said.text() + " " + motion.text();
+}
+
+bool is_comparable(std::string_view fingerprint) {
+  return fingerprint.find(' ') != std::string_view::npos;
+}
+
+bool is_same_motion(std::string_view fingerprint, std::string_view other) {
+  const auto motion = [](std::string_view of) { return of.substr(of.find(' ') + 1); };
+  return is_comparable(fingerprint) && is_comparable(other) && motion(fingerprint) == motion(other);
 }
 
 Status check_session_library(const SessionLibrary& reference, const MotionLibrary& library) {
-  if (reference.fingerprint.empty()) {
+  if (!is_comparable(reference.fingerprint)) {
     if (reference.pairs == static_cast<std::uint64_t>(library.pair_count())) return Done{};
   } else if (reference.fingerprint == library_fingerprint(library)) {
     return Done{};
@@ -81,6 +94,10 @@ Status check_session_library(const SessionLibrary& reference, const MotionLibrar
                    std::to_string(library.pair_count()) +
                    " and other content: it was built again since, or is another one",
                library.name()};
+}
+
+bool has_motion_of(const SessionLibrary& reference, const MotionLibrary& library) {
+  return is_same_motion(reference.fingerprint, library_fingerprint(library));
 }
 
 std::vector<std::string> places_of(const SessionLibrary& reference, const std::string& session_path) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.hpp"
 #include "core/library/store/motion_library.hpp"
@@ -9,8 +10,14 @@
 
 namespace abrazo {
 
-/// 16 hexadecimal digits over everything that affects results: takes, pairs, poses, meshes, bodies.
+/// Two numbers of 16 hexadecimal digits, with a space between: the first over everything that affects results
+/// (takes with their labels, pairs, poses, meshes, bodies), the second over the same without what was said of
+/// the takes (labels, and which roles are annotated), as long as that changed no pair.
 std::string library_fingerprint(const MotionLibrary& library);
+/// Whether two fingerprints are of libraries with the same pairs, poses and meshes, whatever their labels.
+bool is_same_motion(std::string_view fingerprint, std::string_view other);
+/// A fingerprint of files from before there were two numbers says nothing: the number of pairs is compared.
+bool is_comparable(std::string_view fingerprint);
 
 /// Paths at which to look for a session's library: relative to the session file, then the absolute path at
 /// recording. Empty for a library that was never a file.
@@ -18,5 +25,8 @@ std::vector<std::string> places_of(const SessionLibrary& reference, const std::s
 
 /// Checks that a library is the referenced one; the Error says how they differ.
 Status check_session_library(const SessionLibrary& reference, const MotionLibrary& library);
+/// Whether frames that were solved with the referenced library can be shown with this one: it has the same
+/// pairs and meshes.
+bool has_motion_of(const SessionLibrary& reference, const MotionLibrary& library);
 
 }  // namespace abrazo

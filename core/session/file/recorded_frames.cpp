@@ -351,8 +351,11 @@ class FileFrames : public RecordedFrames {
       const auto stepped = row->bind(0, id).step();
       if (stepped && *stepped) {
         const std::string fingerprint = row->text(0);
+        const auto exact = libraries_.find(fingerprint);
+        if (exact != libraries_.end()) found = exact->second;
         for (const auto& [known, library] : libraries_)
-          if (known == fingerprint || (fingerprint.empty() && library->pair_count() == row->integer(1)))
+          if (!found && (is_same_motion(known, fingerprint) ||
+                         (!is_comparable(fingerprint) && library->pair_count() == row->integer(1))))
             found = library;
       }
     }

@@ -65,7 +65,7 @@ class Replay {
   bool is_of_library(const FrameSnapshot& frame) const {
     const SessionLibrary* reference = library_at(contents_, frame.index);
     if (!reference) return true;
-    return reference->fingerprint.empty()
+    return !is_comparable(reference->fingerprint)
                ? reference->pairs == static_cast<std::uint64_t>(library_->pair_count())
                : reference->fingerprint == fingerprint_;
   }

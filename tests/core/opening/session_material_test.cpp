@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/opening/generated_set.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "tests/core/opening/opening_files.hpp"
 
@@ -68,6 +69,31 @@ TEST_F(SessionMaterial, ItsMotionFilesMayBeElsewhere) {
   ASSERT_TRUE(material) << material.error().text();
   EXPECT_FALSE(material->stands_in);
   EXPECT_EQ(library_fingerprint(*material->library), library_fingerprint(*built.library));
+}
+
+/// The library is taken from what is open, which says nothing of the motion.
+TEST_F(SessionMaterial, TheGeneratedLeaderDancesAgainWhereItsLibraryIsOpen) {
+  const Material dance = *generated_dance({});
+  test::save(path, dance);
+  SessionWish wish;
+  wish.open = dance;
+  wish.open.input = {};
+  const auto material = opened(wish);
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_EQ(material->input.name, dance.input.name);
+  EXPECT_EQ(material->input.poses.size(), dance.input.poses.size());
+  EXPECT_THAT(material->warnings, IsEmpty());
+}
+
+TEST_F(SessionMaterial, ATakeThatStandsInForTheMotionIsNamed) {
+  Material without = built;
+  without.input.name = "of a device";
+  without.input.poses.clear();
+  test::save(path, without);
+  const auto material = opened();
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_THAT(material->warnings,
+              Contains(HasSubstr("the motion \"of a device\" is not there; the take take_02 plays")));
 }
 
 TEST_F(SessionMaterial, AProjectOnTheGeneratedFightIsNotOpenedWithTheDance) {

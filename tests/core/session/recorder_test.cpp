@@ -447,6 +447,22 @@ TEST(Recorder, ThreadsMayHandOverWhileOthersRead) {
   EXPECT_EQ(frames_of(*opened(session.path)).size(), session.keeper->frames.size());
 }
 
+/// A take that is annotated after its frames were recorded makes no other meshes.
+TEST(LibraryFingerprint, SaysWhetherOnlyLabelsDiffer) {
+  const MotionLibrary& library = *test::session_library();
+  const std::string usual = library_fingerprint(library);
+  LibraryColumns labelled = library.columns();
+  ASSERT_FALSE(labelled.takes.front().labels.empty());
+  labelled.takes.front().labels.front().label = "dip";
+  const std::string other = library_fingerprint(MotionLibrary(std::move(labelled)));
+  EXPECT_NE(other, usual);
+  EXPECT_TRUE(is_same_motion(other, usual));
+  LibraryColumns moved = library.columns();
+  moved.poses[5](3, 1) += 1e-9;
+  EXPECT_FALSE(is_same_motion(library_fingerprint(MotionLibrary(std::move(moved))), usual));
+  EXPECT_FALSE(is_same_motion("0123456789abcdef", "0123456789abcdef")) << "of older files nothing is known";
+}
+
 TEST(LibraryFingerprint, ChangesWithEveryMeasureOfABody) {
   const MotionLibrary& library = *test::session_library();
   const std::string usual = library_fingerprint(library);
