@@ -73,6 +73,23 @@ TEST(PartTableView, SortsByNumbersAndTheChosenPartStaysChosen) {
   EXPECT_EQ(asked, table.shown().rows[static_cast<std::size_t>(table.table().currentIndex().row())].item);
 }
 
+TEST(PartTableView, CopiesTheChosenRowsAndOtherwiseAll) {
+  PartTableView table;
+  table.setKind(TableOf::Edges);
+  table.showFrame(synthetic_frame(1, 0.1), nullptr);
+  const auto lines = [&table] { return table.copied().split('\n', Qt::SkipEmptyParts); };
+  const QStringList all = lines();
+  EXPECT_EQ(static_cast<std::size_t>(all.size()), 1 + table.shown().rows.size());
+  int asked = 0;
+  QObject::connect(&table, &PartTableView::selectionRequested, [&asked] { ++asked; });
+  table.table().selectRow(1);
+  EXPECT_EQ(lines(), QStringList({all[0], all[2]}));
+  table.table().selectionModel()->select(table.table().model()->index(4, 0),
+                                         QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  EXPECT_EQ(lines(), QStringList({all[0], all[2], all[5]}));
+  EXPECT_EQ(asked, 1) << "several are not one selection of the scene";
+}
+
 TEST(SceneView, SelectsTheJointThatIsClickedAndKeepsItInOtherFrames) {
   Scene scene({ScenePart::Joints});
   const QImage before = picture_of(scene.view);

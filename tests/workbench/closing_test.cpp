@@ -1,6 +1,7 @@
 // A window that is closed while something runs: it answers until that has stopped, and then goes.
 #include <QDir>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <thread>
 
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/base/range_rendering.hpp"
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/export/view_recording.hpp"
 #include "app/workbench/project/history_desk.hpp"
@@ -123,6 +125,20 @@ TEST_F(Closing, AFilmThatIsBeingRecordedIsWrittenToItsEndBefore) {
   EXPECT_TRUE(until([] { return !window().isVisible(); }));
   EXPECT_TRUE(words.startsWith("Recording written to " + file)) << words.toStdString();
   EXPECT_TRUE(QFile::exists(file));
+}
+
+/// The window went, and the film was rendered to its end unseen.
+TEST_F(Closing, AFilmThatIsRenderedIsCancelled) {
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session() && window().session()->history().span().last_s > 1; }));
+  const QTemporaryDir folder;
+  render_range(window(), {{0, 1, 600}, {480, 320}, true, folder.filePath("range.mp4")});
+  ASSERT_TRUE(until([] { return window().messages().text().contains("Rendering picture"); }));
+  window().close();
+  EXPECT_TRUE(RunningWork::any());
+  ASSERT_TRUE(until([] { return !window().isVisible(); }));
+  EXPECT_FALSE(RunningWork::any());
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
 TEST_F(Closing, ASessionThatIsRecordedEndsWithoutTheWindowWaitingForIt) {

@@ -13,6 +13,7 @@
 #include <QThread>
 #include <QTimer>
 #include <algorithm>
+#include <array>
 #include <clocale>
 #include <cstdio>
 
@@ -160,17 +161,14 @@ QStringList written_couples(const QDir& folder) {
   return files;
 }
 
-/// A motion that lies, as far as its file says, which opens the import panel.
-QStringList doubtful_motion(const QDir& folder) {
+/// A motion of two performers, which opens the import panel.
+QStringList motion_of_two(const QDir& folder) {
   ChoreographyOptions dance;
   dance.minutes = 0.2;
-  Clip clip = generate_salsa(dance).front().a;
-  for (Pose& pose : clip.poses) {
-    pose.col(1).swap(pose.col(2));
-    pose.col(1) *= -1;
-  }
-  const QString file = folder.filePath("walk_z.bvh");
-  const auto text = write_bvh(std::span(&clip, 1));
+  const PairedTake take = generate_salsa(dance).front();
+  const QString file = folder.filePath("two_dancers.bvh");
+  const std::array clips = {take.a, take.b};
+  const auto text = write_bvh(clips);
   if (!text || !write_whole_file(file.toStdString(), *text)) return {};
   return {file};
 }
@@ -317,7 +315,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   wait(3000);
   pictures.saveDialogs("build");
   pictures.dialog("Help", "help", {}, 2);
-  window.openFiles(doubtful_motion(QDir(home.path())));
+  window.openFiles(motion_of_two(QDir(home.path())));
   (void)until([&pictures] { return pictures.hasDialog(); }, patience_ms);
   wait(3000);
   pictures.saveDialogs("import");

@@ -106,6 +106,18 @@ TEST_F(StreamActions, APortThatIsTakenIsToldWithWhatToDo) {
   EXPECT_TRUE(window().messages().text().contains(taken)) << window().messages().text().toStdString();
 }
 
+TEST_F(StreamActions, AConnectionThatFailsLeavesTheOneThatWorks) {
+  listen();
+  const auto other =
+      StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), window().session()->engine().clock()).value();
+  const QString taken = QString::fromStdString(other->health().listening).section(':', -1);
+  desk().connectTo("vmc://127.0.0.1:" + taken);
+  EXPECT_TRUE(until([&] { return window().messages().text().contains(taken); }));
+  EXPECT_TRUE(until([] { return desk().health().has_value(); }));
+  EXPECT_TRUE(desk().isConnected());
+  EXPECT_TRUE(window().messages().text().contains(taken)) << window().messages().text().toStdString();
+}
+
 TEST_F(StreamActions, WhenTheSenderStopsABadgeSaysSo) {
   {
     const StreamedPerformer performer(clip(), listen());

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
@@ -180,6 +181,8 @@ void VocabularyEditor::add() {
   if (row < m_table->rowCount()) {
     m_table->setCurrentCell(row, Value);
     m_table->editItem(m_table->item(row, Value));
+    // A scroll bar that came with the line takes its place only with the next layout.
+    QTimer::singleShot(0, m_table, [this] { m_table->scrollTo(m_table->currentIndex()); });
   }
 }
 

@@ -26,13 +26,13 @@ void Job::tellFailures(std::function<void(const QString&)> to) {
   told() = std::move(to);
 }
 
-Job::Job(Work work, QObject* parent) : QObject(parent) {
+Job::Job(Work work, QObject* parent, Pace pace) : QObject(parent) {
   m_running.emplace([this] {
     m_retired = true;
     cancel();
   });
-  m_thread = std::jthread([this, work = std::move(work)] {
-    let_others_go_first();
+  m_thread = std::jthread([this, pace, work = std::move(work)] {
+    if (pace == Pace::Background) let_others_go_first();
     const Progress progress = [this](double fraction, std::string_view doing) {
       const QString text = QString::fromUtf8(doing.data(), static_cast<int>(doing.size()));
       QMetaObject::invokeMethod(this, [this, fraction, text] {

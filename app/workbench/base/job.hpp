@@ -20,7 +20,11 @@ class Job : public QObject {
   using Finish = std::function<void()>;
   using Work = std::function<Finish(const Progress&)>;
 
-  Job(Work work, QObject* parent = nullptr);
+  /// Threads that the work starts have its priority as well: those that go on afterwards and that others wait
+  /// for must not be started by a job in the background.
+  enum class Pace { Background, Prompt };
+
+  explicit Job(Work work, QObject* parent = nullptr, Pace pace = Pace::Background);
   ~Job() override;
   /// Requests cancellation. The work may finish before it notices: its returned function is called in either
   /// case, with an Error if cancelled or the result.

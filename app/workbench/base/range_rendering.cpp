@@ -27,6 +27,8 @@ QString RangeRendering::start(const RangeRequest& request, const widgets::SceneV
     if (!m_timer.isActive()) m_timer.start();
   });
   connect(m_writer.get(), &FilmWriter::ended, this, &RangeRendering::end);
+  m_running.emplace(
+      [this] { QMetaObject::invokeMethod(this, &RangeRendering::cancel, Qt::QueuedConnection); });
   m_timer.start();
   return {};
 }
@@ -49,12 +51,14 @@ void RangeRendering::cancel() {
   m_timer.stop();
   m_writer.reset();
   m_pictures.reset();
+  m_running.reset();
 }
 
 void RangeRendering::end(const QString& trouble) {
   m_timer.stop();
   m_pictures.reset();
   m_writer.release()->deleteLater();  // it is what speaks
+  m_running.reset();
   emit ended(trouble);
 }
 

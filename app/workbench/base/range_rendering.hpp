@@ -4,9 +4,11 @@
 #include <QSize>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "app/workbench/base/film_clock.hpp"
 #include "app/workbench/base/film_writer.hpp"
+#include "app/workbench/base/running_work.hpp"
 #include "core/session/frames/frame_range.hpp"
 
 namespace abrazo::widgets {
@@ -54,6 +56,7 @@ class RangeRendering : public QObject {
   std::unique_ptr<FilmWriter> m_writer;
   QTimer m_timer;
   int m_done = 0;
+  std::optional<RunningWork> m_running;  ///< a window that closes waits until it is cancelled
 };
 
 }  // namespace abrazo::app

@@ -26,10 +26,9 @@ using widgets::PlotExport;
 
 constexpr const char* export_job = "export";  // of the messages
 
-/// Of the frames shown last: what an estimate goes by.
-double rate_of(const FrameHistory& history) {
-  const auto span = history.span();
-  const auto last = history.range(span.last_s - 1, span.last_s, 256);
+/// Of the frames before a time: what an estimate goes by.
+double rate_at(const FrameHistory& history, double to_s) {
+  const auto last = history.range(to_s - 1, to_s, 256);
   if (last.size() < 2) return 0;
   return static_cast<double>(last.size() - 1) / (last.back()->time_s - last.front()->time_s);
 }
@@ -61,14 +60,17 @@ ExportOffer ExportDesk::offer() const {
     offer.session = {
         material.recorded ? "Session " + session_name(*material.recorded) : QString("This session"),
         {span.first_s, span.last_s},
-        rate_of(history)};
+        span.last_s > span.first_s
+            ? static_cast<double>(span.frames + span.stored) / (span.last_s - span.first_s)
+            : 0};
   if (!session->looksElsewhere()) {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
   }
   const RecordedTakes takes = m_takes();
   for (const RecordedTake& take : takes.all())
-    offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
+    offer.takes.push_back(
+        {QString::fromStdString(take.name), {take.from_s, take.to_s}, rate_at(history, take.to_s)});
   for (const LibraryTake& take : material.library->takes())
     offer.library_takes.push_back({QString::fromStdString(take.name),
                                    {0, std::max(0, take.frames - 1) / take.fps},

@@ -115,9 +115,10 @@ void HistoryDesk::begin() {
   const HistoryBound limit{.bytes = static_cast<std::uint64_t>(bound() * gigabyte)};
   // On another thread: the first page of a file is on the disk before it counts as made. Until then frames
   // are in memory, and the files get them all.
-  m_opening =
-      std::make_unique<Job>([this, parent = m_window.remembered().historyFolder(),
-                             facts = m_window.session()->facts(), limit](const Progress&) -> Job::Finish {
+  // Not in the background: the threads that write go on.
+  m_opening = std::make_unique<Job>(
+      [this, parent = m_window.remembered().historyFolder(), facts = m_window.session()->facts(),
+       limit](const Progress&) -> Job::Finish {
         auto files = std::make_shared<Files>();
         const Status opened = files->open(parent, facts, limit);
         return [this, files, opened] {
@@ -125,7 +126,8 @@ void HistoryDesk::begin() {
               ? take(*files)
               : m_window.messages().showError("The history is kept in memory only: " + words(opened.error()));
         };
-      });
+      },
+      nullptr, Job::Pace::Prompt);
   connect(m_opening.get(), &Job::finished, this, [this] { Job::retire(std::move(m_opening), this); });
 }
 

@@ -24,6 +24,12 @@ namespace {
 constexpr int settle_ms = 500;  // with the writing, changes are on disk well within 2 s
 
 /// @param history_s  of the history, in no file; 0 = not worth a word
+/// Takes that were captured here and are in no file.
+bool has_lost_takes(const MainWindow& window) {
+  const LiveSession* session = window.session();
+  return session && session->material().has_unsaved_library() && !session->material().manifest;
+}
+
 ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, double history_s) {
   QMessageBox box(QMessageBox::Question, "Abrazo", "Save the changes to " + name + "?",
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
@@ -34,7 +40,11 @@ ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, double h
       (history_s > 0 ? QString(" %1 of it are in no session file: Discard deletes them as well; Keep history "
                                "offers them as a session at the next start.")
                            .arg(QString::fromStdString(clock_text(history_s)))
-                     : QString()));
+                     : QString()) +
+      (has_lost_takes(window)
+           ? QString(" The library has takes that were captured here and is in no file: Discard loses them, "
+                     "Save offers to write it.")
+           : QString()));
   box.setDefaultButton(QMessageBox::Save);
   const QAbstractButton* keep =
       history_s > 0 ? box.addButton("Keep history", QMessageBox::AcceptRole) : nullptr;

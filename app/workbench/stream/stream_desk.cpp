@@ -1,6 +1,7 @@
 #include "app/workbench/stream/stream_desk.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -102,10 +103,17 @@ void StreamDesk::connectTo(const QString& text) {
     disconnectStream();
     return m_window.openFiles({QString::fromStdString(uri->file)});
   }
+  const QString before = isConnected() && text != m_uri ? m_uri : QString();
   disconnectStream();
+  m_before = before;
+  m_returns = false;
+  look(*uri, text);
+}
+
+void StreamDesk::look(const StreamUri& uri, const QString& text) {
   m_uri = text;
   m_panel.form().setUri(text);
-  m_sourceLookup.find(*uri, [this](const Result<StreamUri>& found) {
+  m_sourceLookup.find(uri, [this](const Result<StreamUri>& found) {
     if (!found) return refuse(found.error());
     m_found = *found;
     receiveOnceFound();
@@ -115,13 +123,19 @@ void StreamDesk::connectTo(const QString& text) {
   emit connectionChanged();  // so that it can be cancelled
 }
 
-/// Nothing is connected any more.
+/// Nothing is connected any more, but what was before.
 void StreamDesk::refuse(const Error& error) {
   m_window.fail(words(error));
   m_uri.clear();
   m_found.reset();
   poll();
   emit connectionChanged();
+  // What worked goes on: a slip of the keys must not end it, least of all while it is recorded.
+  const QString before = std::exchange(m_before, {});
+  const auto uri = parse_stream_uri(before.toStdString());
+  if (before.isEmpty() || !uri) return;
+  m_returns = true;
+  look(*uri, before);
 }
 
 void StreamDesk::receiveOnceFound() {
@@ -138,6 +152,8 @@ bool StreamDesk::receive() {
     refuse(opened.error());
     return false;
   }
+  m_before.clear();
+  if (!m_returns) m_window.messages().withdrawErrorsOf("open");
   m_window.remembered().setRecentStreams(with_first(recent(), m_uri));
   m_panel.form().setRecent(recent());
   const auto delay = milliseconds_option(*m_found, "delay", 500);

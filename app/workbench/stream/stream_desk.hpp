@@ -84,6 +84,7 @@ class StreamDesk : public QObject {
   };
   SessionEngine* engine() const;
   void refuse(const Error& error);
+  void look(const StreamUri& uri, const QString& text);
   bool receive();
   void sendTo(const StreamUri& uri, Character character);
   void beginSession();
@@ -96,7 +97,9 @@ class StreamDesk : public QObject {
   MainWindow& m_window;
   widgets::ConnectionPanel& m_panel;
   QPointer<widgets::SceneNotice> m_notice;
-  QString m_uri;                     ///< present or pending connection; empty = none
+  QString m_before;        ///< connected before the pending connection, which may fail; empty = none
+  bool m_returns = false;  ///< to what was connected before
+  QString m_uri;           ///< present or pending connection; empty = none
   std::optional<StreamUri> m_found;  ///< the same with resolved addresses; none before
   HostLookup m_sourceLookup, m_sinkLookup;
   QString m_user, m_second;

@@ -106,6 +106,9 @@ void PairDesk::ask() {
   const std::string name = next_take_name(recorded, names_of(library));
   m_dialog = new PairDialog(*m_capture, text(name), labels_of(library), &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+  // The first is the user.
+  const bool follows = m_window.document().settings().user_role == UserRole::Passive;
+  m_dialog->setLeader(follows ? ActivePerformer::B : ActivePerformer::A);
   connect(m_dialog, &PairDialog::addRequested, this, [this] { add(*m_dialog); });
   connect(m_dialog, &QDialog::finished, this, [this] { m_capture.reset(); });
   m_dialog->show();

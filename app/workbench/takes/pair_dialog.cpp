@@ -8,6 +8,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
 #include "widgets/common/parts.hpp"
 
@@ -25,6 +27,8 @@ QDoubleSpinBox* trim(double most_s, const QString& name, QWidget* parent) {
   field->setAccessibleName(name);
   return field;
 }
+
+constexpr ActivePerformer leaders[] = {ActivePerformer::A, ActivePerformer::B, ActivePerformer::Unknown};
 
 }  // namespace
 
@@ -79,8 +83,11 @@ PairDialog::PairDialog(const PairCapture& capture, const QString& name, const QS
   showLength();
 }
 
+void PairDialog::setLeader(ActivePerformer leader) {
+  m_leads->setCurrentIndex(static_cast<int>(std::ranges::find(leaders, leader) - std::begin(leaders)));
+}
+
 PairCapture::Wishes PairDialog::wishes() const {
-  constexpr ActivePerformer leaders[] = {ActivePerformer::A, ActivePerformer::B, ActivePerformer::Unknown};
   return {m_name->text().trimmed().toStdString(), leaders[m_leads->currentIndex()],
           m_label->currentText().trimmed().toStdString(), m_in->value(), m_out->value()};
 }

@@ -21,6 +21,8 @@ class PairDialog : public QDialog {
   /// Shows an error; the dialog stays open.
   void showTrouble(const QString& text);
   QString trouble() const;
+  /// Proposes who leads.
+  void setLeader(ActivePerformer leader);
 
  signals:
   void addRequested();

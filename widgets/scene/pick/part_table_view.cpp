@@ -147,7 +147,7 @@ PartTableView::PartTableView(QWidget* parent)
   m_table->setAccessibleName("Figures of the selection");
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
   m_table->verticalHeader()->hide();
   m_table->verticalHeader()->setDefaultSectionSize(22);
   m_table->setTabKeyNavigation(false);
@@ -155,7 +155,7 @@ PartTableView::PartTableView(QWidget* parent)
   auto* foot = new QHBoxLayout;
   auto* copy = new QPushButton("Copy", this);
   auto* csv = new QPushButton("CSV…", this);
-  copy->setToolTip("The rows as text with tabs, in the order shown (Ctrl+C)");
+  copy->setToolTip("The chosen rows, or all, as text with tabs, in the order shown (Ctrl+C)");
   for (QPushButton* button : {copy, csv}) button->setAutoDefault(false);
   foot->addStretch(1);
   foot->addWidget(copy);
@@ -202,11 +202,16 @@ void PartTableView::fill() {
   m_isFilling = true;
   PartTable parts = part_table(*m_frame, m_before.get(), m_kind, m_selection);
   const bool is_other_table = parts.columns != m_model->parts().columns;
-  const QModelIndexList chosen = m_table->selectionModel()->selectedRows();
-  const std::string name = chosen.isEmpty() ? std::string() : m_model->part(chosen.front().row()).name;
+  std::vector<std::string> chosen;
+  for (const int row : chosenRows()) chosen.push_back(m_model->part(row).name);
   m_model->setParts(std::move(parts));
-  const int row = chosen.isEmpty() ? -1 : m_model->rowOf(name);  // sorted by another value it is elsewhere
-  row < 0 ? m_table->clearSelection() : m_table->selectRow(row);
+  QItemSelection rows;  // sorted by another value they are elsewhere
+  for (const std::string& name : chosen)
+    if (const int row = m_model->rowOf(name); row >= 0)
+      rows.select(m_model->index(row, 0), m_model->index(row, m_model->columnCount() - 1));
+  m_table->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  if (!rows.isEmpty())
+    m_table->selectionModel()->setCurrentIndex(rows.first().topLeft(), QItemSelectionModel::NoUpdate);
   if (is_other_table) {
     m_table->sortByColumn(0, Qt::AscendingOrder);
     m_table->resizeColumnsToContents();
@@ -226,9 +231,20 @@ PartTable PartTableView::shown() const {
   return sorted;
 }
 
+std::vector<int> PartTableView::chosenRows() const {
+  std::vector<int> rows;
+  for (const QModelIndex& each : m_table->selectionModel()->selectedRows()) rows.push_back(each.row());
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 QString PartTableView::copied() const {
+  std::vector<int> rows = chosenRows();
+  if (rows.empty())
+    for (int row = 0; row < m_model->rowCount(); ++row) rows.push_back(row);
+  rows.insert(rows.begin(), -1);  // the heads
   QString text;
-  for (int row = -1; row < m_model->rowCount(); ++row) {
+  for (const int row : rows) {
     QStringList fields;
     for (int column = 0; column < m_model->columnCount(); ++column)
       fields << (row < 0 ? m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
@@ -239,10 +255,10 @@ QString PartTableView::copied() const {
 }
 
 void PartTableView::chooseRow() {
-  const QModelIndexList rows = m_table->selectionModel()->selectedRows();
-  if (m_isFilling || rows.isEmpty()) return;
+  const std::vector<int> rows = chosenRows();
+  if (m_isFilling || rows.size() != 1) return;  // several are chosen to be copied
   m_isChoosing = true;
-  emit selectionRequested(m_model->part(rows.front().row()).item);
+  emit selectionRequested(m_model->part(rows.front()).item);
   m_isChoosing = false;
 }
 

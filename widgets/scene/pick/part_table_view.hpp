@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 #include <array>
+#include <vector>
 
 #include "widgets/scene/pick/part_table.hpp"
 
@@ -29,6 +30,7 @@ class PartTableView : public QWidget {
   /// The rows in the order of the view.
   PartTable shown() const;
   /// The rows with tabs between the columns, as the view has them.
+  /// The chosen rows, or all if none is, with the heads.
   QString copied() const;
   QTableView& table() { return *m_table; }
 
@@ -42,6 +44,7 @@ class PartTableView : public QWidget {
  private:
   void fill();
   void chooseRow();
+  std::vector<int> chosenRows() const;
 
   TableOf m_kind = TableOf::Edges;
   Selection m_selection;
