@@ -144,12 +144,10 @@ bool GlSurface::prepare() {
     case Stage::Nothing:  // the window itself is painted for the first time, too
       m_stage = Stage::Painted;
       return false;
-    case Stage::Painted:
-      if (!connect()) return true;  // without OpenGL there is nothing to wait for
-      m_stage = Stage::Connected;
+    case Stage::Painted:  // goes on between two paints: see paintEvent
       return false;
     case Stage::Connected:
-      if (!start()) return true;
+      if (!start()) return true;  // without OpenGL there is nothing to wait for
       m_stage = Stage::Started;
       return false;
     case Stage::Started:
@@ -295,7 +293,14 @@ void GlSurface::paintEvent(QPaintEvent*) {
   const bool is_grabbed = target && target->devType() == QInternal::Pixmap;
   if (is_requested && !is_grabbed && !prepare()) {
     paintLast(painter);
-    return QTimer::singleShot(1, this, [this] { update(); });  // at 0 only when there is nothing else to do
+    return QTimer::singleShot(1, this, [this] {  // at 0 only when there is nothing else to do
+      if (m_stage == Stage::Painted) {
+        // The display starts its own OpenGL then, and a paint that ends with this would wait for it.
+        connect();
+        m_stage = Stage::Connected;
+      }
+      update();
+    });
   }
   painter.drawImage(0, 0, picture());
   // Reported when the window has it.
