@@ -170,6 +170,15 @@ TEST_F(Annotating, ATextMayBeginWithTheKeyOfAValue) {
   EXPECT_EQ(labels().back().value, "two") << "Return need not be waited for";
 }
 
+TEST_F(Annotating, AKeyIsNotLostWhenAClickFollowsIt) {
+  drag(2, 4);
+  QTest::keyClick(open_picker()->findChild<QLineEdit*>(), Qt::Key_2);
+  window().takes().setFocus(Qt::MouseFocusReason);
+  EXPECT_TRUE(until([] { return !open_picker(); }));
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_EQ(labels()[0].value, "two");
+}
+
 TEST_F(Annotating, APlaceInATakeIsAFrame) {
   ticker().seek(100.4 * frame_s());
   turn();

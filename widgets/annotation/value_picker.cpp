@@ -122,6 +122,17 @@ bool ValuePicker::press(const QKeyEvent& key) {
   return false;
 }
 
+/// Whoever clicks elsewhere has chosen.
+bool ValuePicker::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusOut && m_chosen.isActive()) {
+    m_chosen.stop();
+    const QString value = m_chosenValue;
+    take(value);
+    return false;
+  }
+  return EntryFrame::eventFilter(watched, event);
+}
+
 bool ValuePicker::moveOrPick(const QKeyEvent& key) {
   if (key.key() == Qt::Key_Down || key.key() == Qt::Key_Up) {
     const int count = m_list->count(), step = key.key() == Qt::Key_Down ? 1 : -1;

@@ -32,6 +32,7 @@ class ValuePicker : public EntryFrame {
  protected:
   void settle() override;
   bool press(const QKeyEvent& key) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   bool keepsFromWindow(int) const override { return true; }
 
  private:

@@ -169,6 +169,7 @@ void StreamDesk::disconnectStream() {
   m_calibration.cancel();
   m_soon.stop();
   m_sourceLookup.cancel();
+  m_before.clear();
   m_uri.clear();
   m_found.reset();
   m_user.clear();

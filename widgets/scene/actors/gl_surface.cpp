@@ -100,7 +100,7 @@ void GlSurface::makeCurrent() {
 }
 
 /// @return whether there is OpenGL
-bool GlSurface::connect() {
+bool GlSurface::makeContext() {
   if (m_context.isValid()) return true;
   m_place.create();
   return m_context.create();
@@ -109,7 +109,7 @@ bool GlSurface::connect() {
 /// @return whether there is OpenGL
 bool GlSurface::start() {
   if (m_isStarted) return true;
-  if (!connect() || !m_context.makeCurrent(&m_place)) return false;
+  if (!makeContext() || !m_context.makeCurrent(&m_place)) return false;
   m_isStarted = true;
   m_window->SetReadyForRendering(true);
   m_window->SetIsCurrent(true);
@@ -296,7 +296,7 @@ void GlSurface::paintEvent(QPaintEvent*) {
     return QTimer::singleShot(1, this, [this] {  // at 0 only when there is nothing else to do
       if (m_stage == Stage::Painted) {
         // The display starts its own OpenGL then, and a paint that ends with this would wait for it.
-        connect();
+        makeContext();
         m_stage = Stage::Connected;
       }
       update();

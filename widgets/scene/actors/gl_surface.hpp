@@ -61,7 +61,7 @@ class GlSurface : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  bool connect();
+  bool makeContext();
   bool start();
   bool prepare();
   std::vector<vtkProp*> uncompiled() const;
