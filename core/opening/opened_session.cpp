@@ -127,6 +127,7 @@ Result<OpenedSession> open_session(const std::string& file, const std::string& a
 OpenedSession with_places(OpenedSession session, const Places& places) {
   OpenedProject project = *session.project;
   project.found = found_now(project, places);
+  project.is_relocated = std::ranges::any_of(places, [](const auto& place) { return !place.second.empty(); });
   session.project = std::make_shared<const OpenedProject>(std::move(project));
   return session;
 }

@@ -20,6 +20,7 @@ struct OpenedProject {
   ProjectReading reading;
   std::vector<FoundData> found;  ///< by index into reading.project.data
   std::string autosave;          ///< it was restored from there; empty otherwise
+  bool is_relocated = false;     ///< a person located missing files: the file names other places
 
   const Project& project() const { return reading.project; }
   /// The first of a use that was found; empty when there is none.

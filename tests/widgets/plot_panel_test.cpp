@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -178,6 +179,24 @@ TEST_F(Plots, PanesAreAddedMovedAndRemoved) {
   panel.removePane(0);
   panel.removePane(0);
   EXPECT_EQ(panel.paneCount(), 1) << "the last one stays";
+}
+
+TEST_F(Plots, ThatHaveNoRoomAreReachedByScrolling) {
+  auto* scroll = panel.findChild<QScrollBar*>();
+  EXPECT_FALSE(scroll->isVisible());
+  panel.resize(430, 110);
+  for (const char* group : {"Step time", "Cost", "Residuals", "Energy"}) panel.addPane(usual_series(group));
+  ASSERT_EQ(panel.paneCount(), 7);
+  EXPECT_TRUE(scroll->isVisible());
+  EXPECT_TRUE(panel.pane(6).isVisible()) << "what was added is in view";
+  EXPECT_FALSE(panel.pane(0).isVisible());
+  scroll->setValue(0);
+  EXPECT_TRUE(panel.pane(0).isVisible());
+  EXPECT_FALSE(panel.pane(6).isVisible());
+  for (int p = 0; p < 3; ++p)
+    EXPECT_LE(panel.pane(p).geometry().right(), scroll->x()) << "the bar covers no plot";
+  panel.showSelection(Selection::joint(joints::left_hand));
+  EXPECT_TRUE(panel.pane(panel.selectionPane()).isVisible()) << "what was just selected is in view";
 }
 
 /// So many frames that those of the beginning are thinned, all with this energy.

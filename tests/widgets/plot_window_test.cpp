@@ -138,10 +138,13 @@ TEST(PaneGrid, StandsInARowAndInRowsWhereThereIsHeight) {
   EXPECT_EQ(plan_panes(6, 930, 300).rows, 2);
 }
 
-TEST(PaneGrid, CollapsesWhereItIsLowAndLeavesOutWhatHasNoRoom) {
+TEST(PaneGrid, CollapsesWhereItIsLowAndScrollsToWhatHasNoRoom) {
   EXPECT_TRUE(plan_panes(3, 930, 60).collapsed);
   EXPECT_FALSE(plan_panes(3, 930, 110).collapsed);
-  EXPECT_EQ(plan_panes(8, 400, 110).shown, 3);
+  const PaneGrid grid = plan_panes(8, 400, 110);
+  EXPECT_EQ(grid.columns, 3);
+  EXPECT_EQ(grid.rows, 1);
+  EXPECT_EQ(grid.all_rows, 3);
 }
 
 }  // namespace

@@ -219,10 +219,12 @@ TEST(SceneMemory, ReadsBackWhatItWrote) {
   memory.options.navigation = NavigationStyle::Maya;
   memory.options.apart = 0.5;
   memory.options.character_files = {"", "/figures/ana &co.vrm"};
+  memory.ranges[static_cast<std::size_t>(MeshScalar::LengthChange)] = {0.0, 0.25};
   const SceneMemory again = scene_memory_of(text_of(memory));
   EXPECT_EQ(again.visibility, memory.visibility);
   EXPECT_EQ(again.scalar, memory.scalar);
   EXPECT_EQ(again.options, memory.options);
+  EXPECT_EQ(again.ranges, memory.ranges);
 }
 
 TEST(SceneMemory, StartsUncutAndUnfilteredByASelection) {
@@ -232,11 +234,12 @@ TEST(SceneMemory, StartsUncutAndUnfilteredByASelection) {
 }
 
 TEST(SceneMemory, IsAsUsualForWhatItDoesNotKnow) {
-  for (const char* text :
-       {"", "[]", "not json", R"({"map": "jet", "trail_s": 9000, "mouse": 3, "shown": 1})"}) {
+  for (const char* text : {"", "[]", "not json", R"({"map": "jet", "trail_s": 9000, "mouse": 3, "shown": 1})",
+                           R"({"ranges": {"residual": [3, 1], "weight": 2, "energy": ["0", "1"]}})"}) {
     const SceneMemory memory = scene_memory_of(text);
     EXPECT_EQ(memory.options, SceneOptions()) << text;
     EXPECT_EQ(memory.visibility, default_visibility) << text;
+    EXPECT_EQ(memory.ranges, SceneMemory().ranges) << text;
   }
 }
 

@@ -332,6 +332,10 @@ TEST(TransportBar, TellsTheStateInWords) {
   playback.extend(0, 35);
   bar.showPlayback(playback, 10);
   EXPECT_TRUE(bar.stateText().contains("LIVE"));
+  bar.showInputComes(false);
+  EXPECT_TRUE(bar.stateText().contains("NO INPUT")) << "a stalled stream is not live";
+  bar.showInputComes(true);
+  EXPECT_TRUE(bar.stateText().contains("LIVE"));
   playback.seek(11.5);
   bar.showPlayback(playback, 10);
   EXPECT_EQ(bar.stateText(), QString("PARKED −23.5 s"));

@@ -14,6 +14,9 @@
 #include "app/workbench/keys/help_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "widgets/plots/plot_pane.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app::help_window_test {
 namespace {
@@ -125,6 +128,29 @@ TEST_F(HelpAndSearch, F1ShowsTheGuideAndTheKeys) {
   help().close();
 }
 
+TEST_F(HelpAndSearch, F1InAPanelShowsThePageAboutIt) {
+  window().plots().pane(0).setFocus();
+  press(Qt::Key_F1);
+  auto& page = *help().findChild<QTextBrowser*>();
+  EXPECT_TRUE(page.toPlainText().startsWith("Plots")) << page.toPlainText().left(80).toStdString();
+  help().close();
+  ASSERT_TRUE(until([] { return window().isActiveWindow(); }));
+  window().timeline().setFocus();
+  press(Qt::Key_F1);
+  EXPECT_TRUE(page.toPlainText().startsWith("Timeline")) << page.toPlainText().left(80).toStdString();
+  help().close();
+}
+
+TEST_F(HelpAndSearch, PagesOfTheWindowComeBeforeThoseOfProgramming) {
+  press(Qt::Key_F1);
+  help().search({});
+  const QStringList pages = help().listed();
+  EXPECT_LT(pages.indexOf("Annotation"), pages.indexOf("Command line"));
+  EXPECT_LT(pages.indexOf("Reference video"), pages.indexOf("Embedding"));
+  EXPECT_LT(pages.indexOf("Recording"), pages.indexOf("Datasets of two people"));
+  help().close();
+}
+
 TEST_F(HelpAndSearch, TheGuideIsSearchedAndTheWordIsMarked) {
   press(Qt::Key_F1);
   auto& page = *help().findChild<QTextBrowser*>();
@@ -135,7 +161,7 @@ TEST_F(HelpAndSearch, TheGuideIsSearchedAndTheWordIsMarked) {
   ASSERT_GE(place, 0) << help().listed().join(", ").toStdString();
   EXPECT_FALSE(help().listed().contains("Export")) << "it has one of the words only";
   help().findChild<QListWidget*>()->setCurrentRow(place);
-  EXPECT_TRUE(page.toPlainText().startsWith("Annotation"));
+  EXPECT_TRUE(until([&] { return page.toPlainText().startsWith("Annotation"); }));
   EXPECT_FALSE(page.extraSelections().isEmpty());
   search.clear();
   QTest::keyClicks(&search, "nosuchword");

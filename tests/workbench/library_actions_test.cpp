@@ -100,11 +100,33 @@ TEST_F(LibraryActions, TwoMotionsAskWhatTheyAreForAndBecomeALibrary) {
   LibraryBuild& build = *desk().building();
   ASSERT_TRUE(until([&] { return !build.isBusy(); }));
   EXPECT_TRUE(build.dialog().isVisible());
+  QTest::keyClick(&build.dialog(), Qt::Key_Escape);
+  EXPECT_FALSE(build.dialog().isVisible());
+  QTest::qWait(50);
+  ASSERT_EQ(desk().building(), &build) << "closing the dialog keeps the plan";
+  desk().offer({});
+  EXPECT_TRUE(build.dialog().isVisible());
+  EXPECT_EQ(build.dialog().model().rowCount(), 2);
   for (auto* button : build.dialog().findChildren<QPushButton*>())
     if (button->text() == "Build") button->click();
   ASSERT_TRUE(until([] { return window().session()->material().library->name() == "library"; }));
   EXPECT_EQ(takes().model().row(0).name, "x");
   EXPECT_TRUE(until([] { return desk().building() == nullptr; }));
+}
+
+TEST_F(LibraryActions, StartOverLeavesAnEmptyPlan) {
+  desk().offer(written_couple());
+  const QPointer<LibraryBuild> before = desk().building();
+  const QPointer<BuildDialog> dialog = &before->dialog();
+  ASSERT_TRUE(until([&] { return !before->isBusy(); }));
+  ASSERT_EQ(dialog->model().rowCount(), 2);
+  for (auto* button : dialog->findChildren<QPushButton*>())
+    if (button->text() == "Start over") button->click();
+  EXPECT_TRUE(until([&] { return !before && !dialog; })) << "nothing of it is kept";
+  ASSERT_TRUE(desk().building());
+  EXPECT_EQ(desk().building()->dialog().model().rowCount(), 0);
+  QTest::keyClick(&desk().building()->dialog(), Qt::Key_Escape);
+  EXPECT_TRUE(until([] { return desk().building() == nullptr; })) << "an empty plan is not kept";
 }
 
 TEST_F(LibraryActions, OneMotionStaysTheUser) {
@@ -120,7 +142,6 @@ TEST_F(LibraryActions, AClosedDialogLeavesWhatIsOpen) {
   ASSERT_NE(desk().building(), nullptr);
   ASSERT_TRUE(until([] { return !desk().building()->isBusy(); }));
   desk().building()->dialog().reject();
-  EXPECT_EQ(desk().building(), nullptr);
   EXPECT_EQ(input(), before);
 }
 

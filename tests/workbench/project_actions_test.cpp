@@ -22,6 +22,7 @@
 #include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
@@ -151,11 +152,32 @@ TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
   EXPECT_TRUE(window().document().project().take_markers.empty());
   reopen([] { window().openFiles({file("marked take.abrazo")}); });
   desk().setAsks(true);
-  EXPECT_TRUE(window().timeline().markers().empty()) << "they are not the session's";
-  annotations().showSubject(take);
+  EXPECT_TRUE(until([&] { return window().document().subject() == take; })) << "the one that was shown";
   EXPECT_EQ(window().timeline().markers().all(), markers.all());
   EXPECT_FALSE(is_modified());
   annotations().showSubject("");
+  EXPECT_TRUE(window().timeline().markers().empty()) << "they are not the session's";
+}
+
+TEST_F(ProjectActions, AnOpenedSessionIsShownAsItWasLeft) {
+  ASSERT_TRUE(until([] { return window().ticker().playback().last_s > 0.6; }));
+  window().ticker().seek(0.3);
+  auto left = window().scene().memory();
+  left.ranges[static_cast<std::size_t>(left.scalar)] = {0.01, 0.08};
+  window().scene().setMemory(left);
+  save_as("left.abrazo");
+  EXPECT_TRUE(window().scene().memory().ranges == left.ranges);
+  desk().setAsks(false);
+  reopen([] { window().openDemo(); });
+  EXPECT_TRUE(window().scene().memory().ranges == widgets::SceneMemory().ranges) << "of that session alone";
+  EXPECT_EQ(window().ticker().playback().state, Playback::State::Following);
+  reopen([] { window().openFiles({file("left.abrazo")}); });
+  desk().setAsks(true);
+  EXPECT_TRUE(window().scene().memory().ranges == left.ranges);
+  EXPECT_TRUE(until([] { return window().ticker().playback().state == Playback::State::Parked; }));
+  EXPECT_NEAR(window().ticker().playback().cursor_s, 0.3, 1e-9);
+  EXPECT_FALSE(is_modified());
+  window().scene().setMemory({left.visibility, left.scalar, left.options, {}});
 }
 
 TEST_F(ProjectActions, WhoDecidesAboutTheRoleIsWorkThatIsKept) {
@@ -315,6 +337,7 @@ class Relocation : public ProjectActions {
  protected:
   void SetUp() override {
     ProjectActions::SetUp();
+    QFile::remove(file("moved.abrazo"));
     QDir(home().path()).mkpath("old/libs");
     QDir(home().path()).mkpath("old/video");
     ASSERT_TRUE(
@@ -350,6 +373,11 @@ TEST_F(Relocation, OnePointedOutFindsTheOthersAndTheSessionOpens) {
   EXPECT_EQ(window().session()->material().library_file, file("new/libs/lib.h5").toStdString());
   EXPECT_EQ(window().session()->material().input.name,
             window().session()->material().library->takes().front().name);
+  EXPECT_TRUE(is_modified()) << "the file does not know the new places yet";
+  save();
+  EXPECT_FALSE(is_modified());
+  EXPECT_EQ(load_project(file("moved.abrazo").toStdString())->data[0].absolute_path,
+            file("new/libs/lib.h5").toStdString());
 }
 
 TEST_F(Relocation, WithoutThemItSaysWhatWillNotWorkAndOpens) {

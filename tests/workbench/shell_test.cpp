@@ -145,7 +145,9 @@ TEST_F(Shell, TheWelcomePageIsShownAtTheStartUntilSomebodyDoesNotWantIt) {
 
 TEST_F(Shell, TheWelcomePageOffersFilesThatWereOpen) {
   const QString file = touch("walk.bvh");
+  action("Welcome")->setChecked(true);
   emit window().filesOpened({file});
+  EXPECT_FALSE(welcome()->isVisible()) << "the work has begun";
   QStringList names;
   for (const auto* button : welcome()->findChildren<QPushButton*>()) names << button->accessibleName();
   EXPECT_TRUE(names.contains("walk.bvh")) << names.join(", ").toStdString();

@@ -125,6 +125,10 @@ TEST_F(StreamActions, WhenTheSenderStopsABadgeSaysSo) {
   }
   EXPECT_TRUE(
       until([] { return notice().contains("Nothing comes in") || notice().contains("Tracking lost"); }));
+  EXPECT_TRUE(until([] { return window().transport().stateText().contains("NO INPUT"); }));
+  const auto* latency = window().findChild<widgets::LatencyButton*>();
+  EXPECT_TRUE(until([latency] { return latency->words().endsWith("–"); }))
+      << "that of before is no figure of now";
 }
 
 /// It has another port then, and is another performer. The first was looked for, whose tracking stayed lost.
@@ -188,6 +192,15 @@ TEST_F(StreamActions, ACalibrationCountsDownMeasuresAndTells) {
   EXPECT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
   EXPECT_EQ(desk().calibration().stage(), CalibrationSteps::Stage::Done) << desk().calibration().words();
   EXPECT_TRUE(window().messages().text().contains("Calibrated")) << window().messages().text().toStdString();
+}
+
+TEST_F(StreamActions, ACalibrationOfSomeoneWhoDancesIsToldAsDoubtful) {
+  const StreamedPerformer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  press(Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
+  EXPECT_TRUE(desk().calibration().is_doubtful()) << desk().calibration().words();
+  EXPECT_TRUE(window().messages().text().contains("stand still")) << window().messages().text().toStdString();
 }
 
 TEST_F(StreamActions, CtrlTAgainCancelsTheCalibration) {

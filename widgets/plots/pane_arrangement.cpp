@@ -109,10 +109,10 @@ PaneGrid plan_panes(int panes, int width_px, int height_px) {
   if (panes <= 0) return grid;
   grid.collapsed = height_px < least_height;
   const int most_rows = std::clamp(height_px / least_height, 1, panes);
-  const auto columns = [panes](int rows) { return (panes + rows - 1) / rows; };
-  while (grid.rows < most_rows && width_px / columns(grid.rows) < readable_width) ++grid.rows;
-  grid.columns = std::clamp(width_px / least_width, 1, columns(grid.rows));
-  grid.shown = std::min(panes, grid.rows * grid.columns);
+  const auto shared = [panes](int by) { return (panes + by - 1) / by; };
+  while (grid.rows < most_rows && width_px / shared(grid.rows) < readable_width) ++grid.rows;
+  grid.columns = std::clamp(width_px / least_width, 1, shared(grid.rows));
+  grid.all_rows = shared(grid.columns);
   return grid;
 }
 

@@ -39,9 +39,9 @@ PaneArrangement arrangement_of(std::string_view text);
 
 /// Layout of the panes in the available room.
 struct PaneGrid {
-  int rows = 1, columns = 1;
-  int shown = 0;           ///< the others have no room
-  bool collapsed = false;  ///< only headers with values
+  int rows = 1, columns = 1;  ///< that have room
+  int all_rows = 1;           ///< more than `rows`: the others are reached by scrolling
+  bool collapsed = false;     ///< only headers with values
 };
 PaneGrid plan_panes(int panes, int width_px, int height_px);
 

@@ -1,6 +1,7 @@
 #include "widgets/plots/plot_panel.hpp"
 
 #include <QPainter>
+#include <QScrollBar>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,7 @@ std::string panel_title(const Selection& selection, const PaneSeries& series) {
 
 struct PlotPanel::Parts {
   std::vector<PlotPane*> panes;
+  QScrollBar* scroll = nullptr;  ///< by rows of panes
   SampleTable table;
   SeriesReader reader;
   Selection selection;
@@ -69,6 +71,13 @@ const SeriesValues* PlotPanel::Parts::values_of(const FrameSnapshot& frame, cons
 
 PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>()) {
   setAccessibleName("Plots");
+  m_parts->scroll = new QScrollBar(Qt::Vertical, this);
+  m_parts->scroll->setAccessibleName("More plots");
+  m_parts->scroll->hide();
+  connect(m_parts->scroll, &QScrollBar::valueChanged, this, [this] {
+    arrangePanes();
+    draw();
+  });
   setArrangement(default_arrangement());
 }
 
@@ -142,6 +151,7 @@ void PlotPanel::setArrangement(const PaneArrangement& arranged) {
   auto& panes = m_parts->panes;
   PaneArrangement wanted = arranged;
   if (!m_parts->selected.empty()) wanted.push_back(m_parts->selected);
+  const bool are_more = wanted.size() > panes.size();
   while (panes.size() > wanted.size()) {
     panes.back()->hide();
     panes.back()->deleteLater();  // it may be what asked
@@ -153,6 +163,7 @@ void PlotPanel::setArrangement(const PaneArrangement& arranged) {
   for (PlotPane* pane : panes) pane->setTitle({});
   if (selectionPane() >= 0) panes.back()->setTitle(panel_title(m_parts->selection, m_parts->selected));
   arrangePanes();
+  if (are_more) m_parts->scroll->setValue(m_parts->scroll->maximum());  // what was added is the last
   draw();
 }
 
@@ -224,13 +235,22 @@ double PlotPanel::cursorX() const {
 
 void PlotPanel::arrangePanes() {
   const auto& panes = m_parts->panes;
+  QScrollBar& scroll = *m_parts->scroll;
   const PaneGrid grid = plan_panes(paneCount(), width(), height());
+  const int bar = grid.all_rows > grid.rows ? scroll.sizeHint().width() : 0, wide = width() - bar;
+  {
+    const QSignalBlocker one_change(scroll);
+    scroll.setRange(0, grid.all_rows - grid.rows);
+    scroll.setPageStep(grid.rows);
+  }
+  scroll.setGeometry(wide, 0, bar, height());
+  scroll.setVisible(bar > 0);
   for (int p = 0; p < paneCount(); ++p) {
     PlotPane* pane = panes[static_cast<std::size_t>(p)];
-    const int row = p / grid.columns, column = p % grid.columns;
-    pane->setVisible(p < grid.shown);
+    const int row = p / grid.columns - scroll.value(), column = p % grid.columns;
+    pane->setVisible(row >= 0 && row < grid.rows);
     pane->setCollapsed(grid.collapsed);
-    const int left = width() * column / grid.columns, right = width() * (column + 1) / grid.columns;
+    const int left = wide * column / grid.columns, right = wide * (column + 1) / grid.columns;
     const int top = height() * row / grid.rows, bottom = height() * (row + 1) / grid.rows;
     pane->setGeometry(left, top, right - left, bottom - top);
   }
@@ -325,7 +345,7 @@ void PlotPanel::draw() {
   view.pointer_s = p.pointer_s;
   const bool live = p.playback.state == Playback::State::Following;
   for (PlotPane* pane : p.panes) {
-    const bool last = pane == p.panes.back() || pane->geometry().right() + 2 >= width();
+    const bool last = pane == p.panes.back() || pane->geometry().right() + 2 >= p.scroll->x();
     pane->setMark(!last || pane->y() > 0 ? PlotMark::None
                   : p.window.follows()   ? PlotMark::Following
                   : live                 ? PlotMark::Detached

@@ -89,7 +89,12 @@ void PerformerCard::paintEvent(QPaintEvent*) {
     painter.setFont(interface_font(12));
     painter.setPen(m_palette.warning);
     const QRectF rest(left + wide + 10, 0, room - wide - 10, head_height);
-    if (rest.width() > 60) painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, "tracking lost");
+    const QFontMetricsF metrics(painter.font());
+    for (const char* words : {"tracking lost", "lost"}) {
+      if (metrics.horizontalAdvance(words) > rest.width()) continue;
+      painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, words);
+      break;
+    }
   }
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);

@@ -250,6 +250,12 @@ void TransportBar::showHeld(bool on) {
   showState();
 }
 
+void TransportBar::showInputComes(bool on) {
+  if (on == m_inputComes) return;
+  m_inputComes = on;
+  showState();
+}
+
 void TransportBar::showRole(bool user_is_active, const QString& by) {
   m_userIsActive = user_is_active;
   if (m_isOfTake) return;  // a take has no user
@@ -380,10 +386,10 @@ void TransportBar::showState() {
         m_state->setColour(m_palette.secondary);
         break;
       }
-      m_state->setText(m_isHeld ? "‖ HELD" : "● LIVE");
-      m_state->setColour(m_isHeld         ? m_palette.warning
-                         : m_palette.dark ? m_palette.live.lighter(135)
-                                          : m_palette.live);
+      m_state->setText(m_isHeld ? "‖ HELD" : m_inputComes ? "● LIVE" : "○ NO INPUT");
+      m_state->setColour(m_isHeld || !m_inputComes ? m_palette.warning
+                         : m_palette.dark          ? m_palette.live.lighter(135)
+                                                   : m_palette.live);
       break;
   }
 }

@@ -1,5 +1,7 @@
 #include <QAction>
 #include <QDialog>
+#include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QPointer>
@@ -8,6 +10,7 @@
 #include <QShortcut>
 #include <QTextBrowser>
 #include <algorithm>
+#include <array>
 
 #include "app/workbench/keys/help_window.hpp"
 #include "app/workbench/keys/key_sheet.hpp"
@@ -15,8 +18,10 @@
 #include "app/workbench/keys/shortcuts.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/base/version.hpp"
 #include "widgets/common/parts.hpp"
+#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -78,6 +83,29 @@ void show_keys(MainWindow& window, Shortcuts& shortcuts) {
   dialog->activateWindow();
 }
 
+/// The page about the panel that has the keyboard, by its id; empty elsewhere.
+QString page_of_focus(MainWindow& window) {
+  constexpr std::array<std::array<const char*, 2>, 11> pages = {
+      {{"annotation", "guide/annotation.md"},
+       {"candidates", "guide/workbench/candidates.md"},
+       {"compare", "guide/workbench/compare.md"},
+       {"connection", "guide/live.md"},
+       {"latency", "guide/live/latency.md"},
+       {"library", "guide/workbench/library.md"},
+       {"plots", "guide/workbench/plots.md"},
+       {"recording", "guide/live/recording.md"},
+       {"scene", "guide/workbench/scene.md"},
+       {"settings", "guide/workbench/settings.md"},
+       {"video", "guide/video.md"}}};
+  const QWidget* focus = window.focusWidget();
+  if (!focus) return {};
+  if (window.timeline().isAncestorOf(focus) || focus == &window.timeline())
+    return "guide/workbench/timeline.md";
+  for (const auto& [id, page] : pages)
+    if (const QDockWidget* dock = window.panels().panel(id); dock && dock->isAncestorOf(focus)) return page;
+  return {};
+}
+
 }  // namespace
 
 void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
@@ -86,6 +114,7 @@ void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
              [&window, &shortcuts, help = QPointer<HelpWindow>()]() mutable {
                if (!help) help = new HelpWindow(&window);
                if (help->isVisible()) return void(help->close());
+               help->showAbout(page_of_focus(window));
                help->setKeys(key_sheet(shortcuts.table(), window.colours(), 1));
                help->show();
                help->activateWindow();
@@ -97,10 +126,20 @@ void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
     QDialog* about = show_sheet(
         window, "About Abrazo",
         QString("<h3>Abrazo %1</h3><p>A workbench for partner control in close interactions.</p>"
-                "<p>Free software under the GNU Affero General Public Licence, version 3 or later.<br>"
-                "Comes without any warranty.</p>")
+                "<p>The method: Ho, Chan, Komura and Leung, <i>Interactive partner control in close<br>"
+                "interactions for real-time applications</i>, ACM TOMM 9(3), 2013,<br>"
+                "<a href='https://doi.org/10.1145/2487268.2487274'>doi:10.1145/2487268.2487274</a></p>"
+                "<p>Built with VTK, Qt, Eigen, FLANN, TetGen and OpenCV.</p>"
+                "<p>Free software under the "
+                "<a href='https://www.gnu.org/licenses/agpl-3.0.html'>GNU Affero General Public License</a>,"
+                "<br>version 3 or later. Comes without any warranty.</p>")
             .arg(version()));
-    if (about) about->show();
+    if (!about) return;
+    about->findChild<QTextBrowser*>()->setOpenExternalLinks(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, about);
+    about->layout()->addWidget(buttons);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, about, &QDialog::close);
+    about->show();
   });
 }
 

@@ -8,10 +8,12 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QShortcut>
+#include <QSignalBlocker>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "app/workbench/base/dialog_size.hpp"
 #include "widgets/common/parts.hpp"
@@ -27,6 +29,7 @@ namespace {
 
 constexpr int page_role = Qt::UserRole;
 constexpr int list_width = 230;
+constexpr int typing_pause_ms = 200;
 const char* const keys_address = "abrazo:keys";
 
 /// As in links to a heading: "By keys" is "by-keys".
@@ -46,7 +49,15 @@ int place_of_page(const QString& address) {
   if (address == "qrc:/docs/guide/workbench.md") return 0;
   if (address == "qrc:/docs/guide/index.md") return 1;
   if (address.startsWith("qrc:/docs/guide/workbench/")) return 2;
-  return address.startsWith("qrc:/docs/guide/") ? 3 : 4;
+  if (!address.startsWith("qrc:/docs/guide/")) return 5;
+  // What a person in the window does comes before commands and programming.
+  constexpr std::array for_the_window = {"annotation", "export", "intent",      "labels",  "live",
+                                         "projects",   "live/",  "suggestions", "trouble", "video"};
+  const QString page = address.mid(int(std::size("qrc:/docs/guide/")) - 1).remove(".md");
+  const bool is_for_window = std::ranges::any_of(for_the_window, [&](const char* each) {
+    return QString(each).endsWith('/') ? page.startsWith(each) : page == each;
+  });
+  return is_for_window ? 3 : 4;
 }
 
 }  // namespace
@@ -128,7 +139,18 @@ HelpWindow::HelpWindow(QWidget* parent)
   connect(m_page, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
   connect(m_page, &QTextBrowser::anchorClicked, m_page,
           [this](const QUrl& to) { m_page->open(m_page->source().resolved(to)); });
-  connect(m_field, &QLineEdit::textEdited, this, &HelpWindow::search);
+  connect(m_field, &QLineEdit::textEdited, this, [this](const QString& typed) {
+    {
+      const QSignalBlocker later(m_list);
+      search(typed);
+    }
+    m_soon.start();
+  });
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(typing_pause_ms);
+  connect(&m_soon, &QTimer::timeout, this, [this] {
+    if (const QListWidgetItem* item = m_list->currentItem()) showPage(item->data(page_role).toInt());
+  });
   connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (item) showPage(item->data(page_role).toInt());
   });
@@ -192,7 +214,16 @@ void HelpWindow::search(const QString& typed) {
   if (m_list->count() > 0) m_list->setCurrentRow(typed.isEmpty() && m_list->count() > 1 ? 1 : 0);
 }
 
+void HelpWindow::showAbout(const QString& page) {
+  const QString address = "qrc:/docs/" + page;
+  const auto found = std::ranges::find(m_pages, address, &Page::address);
+  if (found == m_pages.end()) return;
+  search({});
+  m_list->setCurrentRow(static_cast<int>(found - m_pages.begin()));
+}
+
 void HelpWindow::showPage(int page) {
+  m_soon.stop();
   m_page->open(m_pages[static_cast<std::size_t>(page)].address);
   mark();
 }

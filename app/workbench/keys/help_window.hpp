@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 #include <vector>
 
 class QLineEdit;
@@ -22,6 +23,9 @@ class HelpWindow : public QDialog {
   QStringList listed() const;
   /// Lists the pages that have every word of a text; all pages if it is empty.
   void search(const QString& typed);
+  /// Lists all pages and shows one. @param page  address below docs/, such as "guide/workbench/plots.md"; one
+  /// that is not there changes nothing
+  void showAbout(const QString& page);
 
  private:
   struct Page {
@@ -35,6 +39,7 @@ class HelpWindow : public QDialog {
   QLineEdit* m_field;
   QListWidget* m_list;
   HelpPage* m_page;
+  QTimer m_soon;  ///< shows the best page once a person pauses: a long one takes a moment
 };
 
 }  // namespace abrazo::app

@@ -170,6 +170,8 @@ QWidget* BuildDialog::makeFoot() {
   auto* foot = new QWidget(this);
   auto* row = widgets::row_in(foot);
   auto* add = m_add = new QPushButton("Add files…", foot);
+  m_startOver = new QPushButton("Start over", foot);
+  widgets::describe(*m_startOver, "Start over", "Remove all rows. Closing the dialog keeps them");
   m_state = new QLabel(foot);
   m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_state->setWordWrap(true);
@@ -182,6 +184,7 @@ QWidget* BuildDialog::makeFoot() {
   m_build = new QPushButton("Build", foot);
   m_build->setDefault(true);
   row->addWidget(add);
+  row->addWidget(m_startOver);
   row->addWidget(m_state, 1);
   row->addWidget(m_progress);
   row->addWidget(m_cancel);
@@ -206,6 +209,7 @@ void BuildDialog::connectParts() {
   connect(m_name, &QLineEdit::textEdited, &m_model, &BuildPlanModel::setName);
   connect(m_labels, &QLineEdit::editingFinished, this, &BuildDialog::offerLabels);
   connect(m_cancel, &QPushButton::clicked, this, &BuildDialog::reject);
+  connect(m_startOver, &QPushButton::clicked, this, &BuildDialog::startOverRequested);
   connect(m_build, &QPushButton::clicked, this, &BuildDialog::buildRequested);
 }
 
@@ -259,6 +263,7 @@ void BuildDialog::showPlan() {
   m_remarks->setVisible(m_remarks->count() > 0);
   m_labels->setText(QString::fromStdString(m_model.plan().labels.string()));
   m_build->setEnabled(!m_busy && m_model.canBuild());
+  m_startOver->setVisible(m_model.rowCount() > 0);
   (m_model.rowCount() == 0 ? m_add : m_build)->setDefault(true);  // what Return does
   if (m_model.rowCount() > 0 && chosenRows().empty()) m_table->selectRow(0);
   showUserRow();

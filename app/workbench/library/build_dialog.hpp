@@ -50,7 +50,7 @@ class BuildDialog : public QDialog {
   void showProgress(const QString& doing, double fraction);
   void endProgress();
   void showError(const QString& text);
-  /// Cancels a running job, or closes.
+  /// Cancels a running job, or closes. The plan stays.
   void reject() override;
 
  signals:
@@ -59,6 +59,8 @@ class BuildDialog : public QDialog {
   void labelsRequested(const QString& file);
   void buildRequested();
   void cancelRequested();
+  /// Discard the plan.
+  void startOverRequested();
   /// Use this file as the user's motion instead of building a library.
   void userChosen(const QString& motion, const QString& skeleton);
 
@@ -92,7 +94,7 @@ class BuildDialog : public QDialog {
   QToolButton* m_userButtons[2] = {nullptr, nullptr};
   QLineEdit *m_name = nullptr, *m_labels = nullptr, *m_library = nullptr, *m_manifest = nullptr;
   QProgressBar* m_progress;
-  QPushButton *m_add = nullptr, *m_build = nullptr, *m_cancel = nullptr;
+  QPushButton *m_add = nullptr, *m_startOver = nullptr, *m_build = nullptr, *m_cancel = nullptr;
   widgets::Palette m_palette;
   bool m_busy = false;
 };

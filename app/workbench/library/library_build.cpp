@@ -42,11 +42,16 @@ LibraryBuild::LibraryBuild(QWidget* window, const widgets::Palette& palette)
     emit userChosen(files);
   });
   connect(m_dialog, &QDialog::finished, this, [this] {
-    if (!m_finished) emit givenUp();
+    if (!m_finished && m_dialog->model().rowCount() == 0) emit givenUp();
   });
+  connect(m_dialog, &BuildDialog::startOverRequested, this, &LibraryBuild::startOver);
 }
 
-LibraryBuild::~LibraryBuild() = default;
+LibraryBuild::~LibraryBuild() {
+  if (!m_dialog) return;
+  m_dialog->hide();
+  m_dialog->deleteLater();
+}
 
 void LibraryBuild::setColours(const widgets::Palette& palette) {
   m_palette = palette;

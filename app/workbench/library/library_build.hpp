@@ -37,8 +37,10 @@ class LibraryBuild : public QObject {
   /// Its warnings include what was written.
   void built(const abrazo::Material& material);
   void userChosen(const QStringList& files);
-  /// The dialog was closed without a result.
+  /// The dialog was closed without a result and has no plan that could be continued.
   void givenUp();
+  /// The plan is to be discarded, and an empty one begun.
+  void startOver();
 
  private:
   struct Survey {
@@ -58,7 +60,7 @@ class LibraryBuild : public QObject {
 
   QWidget* m_window;
   widgets::Palette m_palette;
-  BuildDialog* m_dialog;
+  QPointer<BuildDialog> m_dialog;
   QStringList m_skeletons;
   std::string m_jointMap;
   std::vector<Survey> m_surveys;

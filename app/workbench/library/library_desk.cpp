@@ -118,6 +118,10 @@ void LibraryDesk::offer(const QStringList& files) {
       m_build = nullptr;
     };
     connect(m_build, &LibraryBuild::givenUp, this, end);
+    connect(m_build, &LibraryBuild::startOver, this, [this, end] {
+      end();
+      offer({});
+    });
     connect(m_build, &LibraryBuild::built, this, end);
     connect(m_build, &LibraryBuild::userChosen, this, end);
   }

@@ -137,7 +137,7 @@ Project ProjectDesk::current() const {
 
 void ProjectDesk::refresh() {
   if (!m_hasSession) return;
-  const bool modified = m_isRestored || !is_same_work(m_window.document().project(), m_saved);
+  const bool modified = m_isAhead || !is_same_work(m_window.document().project(), m_saved);
   if (modified != m_isModified) {
     m_isModified = modified;
     showTitle();
@@ -258,7 +258,7 @@ void ProjectDesk::write(const QString& target) {
     if (done->has_history) m_framesSavedTo_s = until_s;
     m_saved = what.project;
     m_saved.data = done->project.data;
-    m_isRestored = false;
+    m_isAhead = false;
     m_window.undoStack().setClean();
     refresh();
     showTitle();
@@ -319,7 +319,6 @@ bool ProjectDesk::saveAndWait() {
 /// The session as it was opened is the saved state.
 void ProjectDesk::onOpened() {
   m_hasSession = true;
-  m_isRestored = false;
   m_saved = {};
   m_carried.clear();
   m_withoutLibrary.reset();
@@ -327,11 +326,12 @@ void ProjectDesk::onOpened() {
   const auto project = m_window.session()->material().project;
   const auto recorded = m_window.session()->material().recorded;
   m_framesSavedTo_s = recorded ? recorded->last_s() : 0;
+  m_isAhead = project && project->is_relocated;
   if (project && project->reading.is_saved) takeSaved(*project);
-  if (!m_isRestored) m_saved = project_of(m_window);
+  if (!m_isAhead) m_saved = project_of(m_window);
   if (project) m_saved.data = project->project().data;
   m_window.undoStack().setClean();
-  m_isModified = m_isRestored;
+  m_isModified = m_isAhead;
   showTitle();
   refresh();
 }
@@ -342,7 +342,7 @@ void ProjectDesk::takeSaved(const OpenedProject& opened) {
     if (data.use != DataReference::Use::Video && !is_of_library(data.use)) m_carried.push_back(data);
   }
   show_view(m_window, opened.project().view);
-  m_isRestored = !opened.autosave.empty();
+  m_isAhead = m_isAhead || !opened.autosave.empty();
   m_leftover = QString::fromStdString(opened.autosave);
 }
 

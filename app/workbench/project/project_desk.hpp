@@ -87,7 +87,8 @@ class ProjectDesk : public QObject {
   Autosave m_autosave;
   Project m_saved;
   std::vector<DataReference> m_carried;  ///< references to missing files, kept until they exist again
-  bool m_asks = false, m_isModified = false, m_isRestored = false, m_hasSession = false;
+  bool m_asks = false, m_isModified = false, m_hasSession = false;
+  bool m_isAhead = false;  ///< of its file from the start: restored, or opened with files at other places
   /// The manifest for which the user chose to save without the library; asked once.
   std::optional<std::shared_ptr<const Manifest>> m_withoutLibrary;
   QString m_leftover;            ///< autosaved file from which the session was restored

@@ -1,13 +1,14 @@
 #include "app/workbench/project/project_state.hpp"
 
 #include <QFile>
+#include <QTimer>
+#include <algorithm>
 
 #include "app/workbench/base/own_presets.hpp"
 #include "app/workbench/project/remembered_view.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/window_layout.hpp"
 #include "widgets/plots/plot_panel.hpp"
-#include "widgets/scene/values/scene_memory.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
@@ -27,14 +28,31 @@ std::string presets_of(const MainWindow& window) {
 }
 
 void add_view(MainWindow& window, Project& project) {
-  widgets::SceneView& scene = window.scene();
+  const widgets::SceneView& scene = window.scene();
+  const Playback& playback = window.ticker().playback();
   auto& view = project.view;
   view["layout"] = text_of(window.layoutOfPanels()).toStdString();
   view["lanes"] = window.timeline().lanes().text();
   view["plots"] = widgets::text_of(window.plots().arrangement());
-  view["scene"] = widgets::text_of({scene.visibility(), scene.scalar(), scene.options()}).toStdString();
+  view["scene"] = widgets::text_of(scene.memory()).toStdString();
   view["camera"] = text_of(CameraTurn{scene.camera().azimuth_rad, scene.camera().elevation_rad});
-  view["cursor_s"] = QString::number(window.ticker().playback().cursor_s, 'g', 17).toStdString();
+  view["subject"] = window.document().subject();
+  if (playback.state != Playback::State::Following)
+    view["parked_s"] = QString::number(playback.cursor_s, 'g', 17).toStdString();
+}
+
+/// The take that was annotated, if the library has it, and the place where the cursor was parked.
+void goBackTo(MainWindow& window, const std::string& subject, const QString& parked) {
+  if (!window.session()) return;
+  const auto& takes = window.session()->material().library->takes();
+  const bool has_take =
+      std::ranges::any_of(takes, [&](const LibraryTake& take) { return take.name == subject; });
+  if (has_take) window.requestSubject(QString::fromStdString(subject));
+  bool is_time = false;
+  Playback place = window.ticker().playback();
+  place.state = Playback::State::Parked;
+  place.cursor_s = parked.toDouble(&is_time);
+  if (is_time && (has_take || subject.empty())) window.ticker().resume(place);
 }
 
 }  // namespace
@@ -65,14 +83,13 @@ void show_view(MainWindow& window, const std::map<std::string, std::string>& vie
   }
   if (!text("plots").isEmpty())
     window.plots().setArrangement(widgets::arrangement_of(text("plots").toStdString()));
-  if (!text("scene").isEmpty()) {
-    const widgets::SceneMemory memory = widgets::scene_memory_of(text("scene"));
-    window.scene().setVisibility(memory.visibility);
-    window.scene().setScalar(memory.scalar);
-    window.scene().setOptions(memory.options);
-  }
+  if (!text("scene").isEmpty()) window.scene().setMemory(widgets::scene_memory_of(text("scene")));
   if (const auto turn = camera_turn_of(text("camera").toStdString()))
     window.scene().lookFrom(turn->azimuth_rad, turn->elevation_rad);
+  // Once all parts of the window have taken the session.
+  QTimer::singleShot(0, &window, [&window, subject = text("subject"), parked = text("parked_s")] {
+    goBackTo(window, subject.toStdString(), parked);
+  });
 }
 
 }  // namespace abrazo::app

@@ -10,7 +10,8 @@ class MainWindow;
 /// files and completes them.
 Project project_of(MainWindow& window);
 
-/// Restores panels, lanes, plots, scene and camera of a project. Ignores values that are invalid in this
+/// Restores panels, lanes, plots, scene and camera of a project, and shortly afterwards the shown take and a
+/// parked cursor. Ignores values that are invalid in this
 /// version.
 void show_view(MainWindow& window, const std::map<std::string, std::string>& view);
 

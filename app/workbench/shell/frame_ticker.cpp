@@ -100,11 +100,19 @@ void FrameTicker::advance(double elapsed_s) {
   const double speed = std::abs(m_playback.speed);
   if (!m_playback.every_frame) {
     m_playback.advance(elapsed_s);
+    passOverGap();
     return measure(elapsed_s * speed, elapsed_s);
   }
   if (waitsForPicture()) return measure(0, elapsed_s);
   const auto next = m_history->stepped(m_playback.cursor_s, m_playback.speed > 0 ? 1 : -1);
   measure(m_playback.advance_to_next(elapsed_s, next->time_s) * speed, elapsed_s);
+  passOverGap();
+}
+
+void FrameTicker::passOverGap() {
+  const auto here = m_history->at(m_playback.cursor_s);
+  const auto next = m_history->stepped(m_playback.cursor_s, 1);
+  if (here && next) m_playback.pass_over_gap(here->time_s, next->time_s);
 }
 
 bool FrameTicker::waitsForPicture() {

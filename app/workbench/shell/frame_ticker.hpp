@@ -72,6 +72,7 @@ class FrameTicker : public QObject {
   void changed();
   void advance(double elapsed_s);
   bool waitsForPicture();
+  void passOverGap();
   void measure(double played_s, double elapsed_s);
 
   QTimer m_timer;

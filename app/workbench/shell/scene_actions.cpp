@@ -102,15 +102,14 @@ void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu, QUndoStack& und
 /// Restores the scene's setup; changes are stored together shortly afterwards.
 void remember(SceneView& scene, UserSettings& remembered) {
   constexpr int quiet_ms = 400;
-  const widgets::SceneMemory memory = widgets::scene_memory_of(remembered.scene());
-  scene.setVisibility(memory.visibility);
-  scene.setScalar(memory.scalar);
-  scene.setOptions(memory.options);
+  scene.setMemory(widgets::scene_memory_of(remembered.scene()));
   auto* quiet = new QTimer(&scene);
   quiet->setSingleShot(true);
   quiet->setInterval(quiet_ms);
   QObject::connect(quiet, &QTimer::timeout, &scene, [&remembered, &scene] {
-    remembered.setScene(widgets::text_of({scene.visibility(), scene.scalar(), scene.options()}));
+    widgets::SceneMemory memory = scene.memory();
+    memory.ranges = {};  // of a session; another has other values
+    remembered.setScene(widgets::text_of(memory));
   });
   const auto changed = [quiet] { quiet->start(); };
   QObject::connect(&scene, &SceneView::visibilityChanged, quiet, changed);

@@ -82,7 +82,10 @@ void add_welcome_actions(MainWindow& window) {
                    [&window](bool on) { window.remembered().setWelcome(on); });
   QObject::connect(page, &WelcomePage::recentChosen, page,
                    [&window](int which) { open_recent(window, window.remembered().recent().value(which)); });
-  QObject::connect(&window, &MainWindow::filesOpened, page, [&window, page] { show_recent(window, *page); });
+  QObject::connect(&window, &MainWindow::filesOpened, page, [&window, page, show] {
+    show_recent(window, *page);
+    show->setChecked(false);  // the work has begun
+  });
 }
 
 void welcome_at_start(MainWindow& window) {

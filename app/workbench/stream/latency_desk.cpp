@@ -83,7 +83,12 @@ void LatencyDesk::refresh() {
   if (health)
     for (const PerformerHealth& performer : health->performers)
       delay_ms = std::max(delay_ms, performer.delay_ms);
-  m_button->show(&rows[way_row], widgets::verdict_of(rows[way_row].p95, delay_ms, rows[interval_row].p50));
+  // The last frames before a stream stalled are no figure of now.
+  const bool is_still = health && health->state != StreamHealth::State::Receiving &&
+                        m_window.ticker().playback().state == Playback::State::Following;
+  is_still ? m_button->show(nullptr, widgets::LatencyVerdict::None)
+           : m_button->show(&rows[way_row],
+                            widgets::verdict_of(rows[way_row].p95, delay_ms, rows[interval_row].p50));
   if (!isPanelSeen()) return;
   m_table->show(std::move(rows), QString("%1 s to here").arg(judged_s));
   m_plot->show(samples, to_s - plotted_s, to_s, to_s);

@@ -279,8 +279,9 @@ void StreamDesk::advanceCalibration() {
   m_health = receiver->health();
   const PerformerHealth* user_health = userHealth();
   const std::string name = user().toStdString();
-  if (m_calibration.advance(now_s, {user_health && user_health->tracked, receiver->measured_body(name)}))
-    receiver->calibrate(name, CalibrationSteps::hold_s);
+  CalibrationSteps::Seen seen{user_health && user_health->tracked, receiver->measured_body(name), {}};
+  if (user_health) seen.doubts = user_health->calibration_doubts;
+  if (m_calibration.advance(now_s, seen)) receiver->calibrate(name, CalibrationSteps::hold_s);
   const QString said = QString::fromStdString(m_calibration.words());
   m_panel.showCalibration(said, m_calibration.is_under_way());
   if (m_calibration.is_under_way()) {
@@ -290,8 +291,8 @@ void StreamDesk::advanceCalibration() {
     return;
   }
   m_soon.stop();
-  m_calibration.stage() == CalibrationSteps::Stage::Done ? m_window.messages().showInformation(said)
-                                                         : m_window.messages().showError(said);
+  const bool is_good = m_calibration.stage() == CalibrationSteps::Stage::Done && !m_calibration.is_doubtful();
+  is_good ? m_window.messages().showInformation(said) : m_window.messages().showError(said);
   poll();
 }
 
@@ -325,12 +326,14 @@ void StreamDesk::showInput() {
     const char* kind = material.is_only_recorded() ? "recorded" : "clip";
     nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
     m_window.sceneTree().setInputName(kind);
+    m_window.transport().showInputComes(true);
     return m_window.status().showInput({clip, true, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
   const QString name = short_name(*m_health) + (comes ? QString() : " " + short_state(*m_health));
   nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name);
+  m_window.transport().showInputComes(comes);
   m_window.status().showInput(
       {name, comes, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
   m_window.sceneTree().setInputName("stream");

@@ -81,7 +81,8 @@ class FrameCache {
 
 class FileFrames : public RecordedFrames {
  public:
-  FileFrames(std::string path, const Origin& origin) : path_(std::move(path)), origin_(origin) {}
+  FileFrames(std::string path, const Origin& origin)
+      : path_(std::move(path)), origin_(origin), first_frame_(origin.first_frame) {}
 
   Status connect() {
     auto database = open_session_database(path_);
@@ -125,6 +126,13 @@ class FileFrames : public RecordedFrames {
   void set_library(std::int64_t row, Library library) override {
     const std::scoped_lock lock(mutex_);
     by_row_[row] = std::move(library);
+  }
+
+  void set_first_frame(std::uint64_t index) override {
+    const std::scoped_lock lock(mutex_);
+    first_frame_ = index + origin_.offset_frames;
+    known_version_ = -1;
+    overview_ = {};
   }
 
   Span span() const override {
@@ -206,7 +214,7 @@ class FileFrames : public RecordedFrames {
   }
 
  private:
-  std::int64_t first() const { return static_cast<std::int64_t>(origin_.first_frame); }
+  std::int64_t first() const { return static_cast<std::int64_t>(first_frame_); }
 
   void note_damage(std::uint64_t count, const std::string& why) const {
     damaged_ += count;
@@ -365,6 +373,7 @@ class FileFrames : public RecordedFrames {
   const std::string path_;
   const Origin origin_;
   mutable std::mutex mutex_;                         ///< of all that follows but the span
+  std::uint64_t first_frame_;                        ///< in the file
   mutable std::optional<SessionDatabase> database_;  ///< none when it could not be opened again
   std::unique_ptr<FrameReader> reader_;
   mutable std::optional<SessionStatement> version_;

@@ -37,6 +37,9 @@ class RecordedFrames : public FrameStore {
   virtual void add_library(std::shared_ptr<const MotionLibrary> library) = 0;
   /// Sets the library of a row of the file; called by the writer.
   virtual void set_library(std::int64_t row, std::shared_ptr<const MotionLibrary> library) = 0;
+  /// Hides frames before one, by the index of Origin; called by the writer at its first. The file may get
+  /// earlier frames when it is saved with the history, and those are not this recorder's.
+  virtual void set_first_frame(std::uint64_t index) = 0;
 
   /// Runs a function while the connection is closed, so that the database can become one file; readers wait
   /// meanwhile.

@@ -229,7 +229,10 @@ std::vector<std::string> recovery_of(const SessionContents& contents) {
                                       : "the recording was cut off; recovered " + std::to_string(run.frames) +
                                             " frames up to " + clock_text(run.last_s));
     if (run.lost > 0)
-      lines.push_back(std::to_string(run.lost) + " frames and poses are missing: the disk did not take them");
+      lines.push_back(
+          std::to_string(run.lost) +
+          " frames and poses are missing: they could not be written in time, or not read when the history "
+          "was saved");
   }
   for (const SessionTake& take : contents.takes)
     if (take.interrupted)

@@ -45,6 +45,13 @@ double Playback::advance_to_next(double elapsed_s, double next_frame_s) {
   return taken;
 }
 
+void Playback::pass_over_gap(double from_s, double to_s) {
+  const double shown_to_s = from_s + gap_shown_s;
+  if (state != State::Playing || to_s - from_s <= longest_gap_s) return;
+  if (cursor_s <= shown_to_s || cursor_s >= to_s) return;
+  cursor_s = speed > 0 ? to_s : shown_to_s;
+}
+
 /// Brings a cursor that left the range back into it, however far it went.
 void Playback::wrap(const Range& range) {
   if (cursor_s >= range.from_s && cursor_s < range.to_s) return;

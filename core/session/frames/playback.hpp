@@ -40,6 +40,10 @@ struct Playback {
   void advance(double elapsed_s);
   /// The same, but not past the next frame. @return the time consumed [s]
   double advance_to_next(double elapsed_s, double next_frame_s);
+  /// Passes over a stretch without frames, such as that of a held input: of a gap between two frames longer
+  /// than `longest_gap_s` only the first `gap_shown_s` are played. Only while it plays.
+  void pass_over_gap(double from_s, double to_s);
+  static constexpr double longest_gap_s = 2, gap_shown_s = 0.5;
   void seek(double time_s);  ///< parks there
   void play();               ///< from the cursor; at the end, or outside a looped range, starts over
   void pause();              ///< parks where the cursor is

@@ -307,6 +307,7 @@ class FileRecorder : public Recorder {
   Status operator()(const FrameSnapshotPtr& frame) {
     const Status written = writer_->write(*frame);
     if (written && writer_->library_row() != library_row_) note_library();
+    if (written && !std::exchange(has_frames_, true)) store_->set_first_frame(frame->index);
     return written;
   }
   Status operator()(const ReceivedPose& pose) { return writer_->write(pose); }
@@ -347,6 +348,7 @@ class FileRecorder : public Recorder {
   std::shared_ptr<RecordedFrames> store_;
   std::string misplaced_;                    ///< owned by the thread: reported at the last write
   bool failed_ = false;                      ///< of the thread: the last attempt to write
+  bool has_frames_ = false;                  ///< of the thread
   std::optional<std::int64_t> library_row_;  ///< of the thread: of the newest frame
   std::vector<Unknown> unknown_;             ///< of the thread
 

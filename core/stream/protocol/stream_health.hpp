@@ -33,6 +33,7 @@ struct PerformerHealth {
   std::uint64_t dropped = 0;   ///< poses replaced by a newer one before the solver took them
   bool tracked = false;        ///< now
   bool calibrated = false;
+  std::vector<std::string> calibration_doubts;  ///< deviations from a T-pose, with what to change
   std::string joint_map;  ///< "unity", ...
   std::vector<std::string> estimated_joints;
   double height_m = 0;     ///< of the head joint

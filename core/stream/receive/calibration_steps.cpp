@@ -36,6 +36,7 @@ BodyVerdict judge_body(const Body& body) {
 void CalibrationSteps::start(double now_s) {
   stage_ = Stage::Countdown;
   since_s_ = now_s;
+  is_doubtful_ = false;
   words_ = "Stand in the T-pose: straight, arms out to the sides, palms down, looking ahead";
 }
 
@@ -69,7 +70,12 @@ bool CalibrationSteps::advance(double now_s, const Seen& seen) {
   // The same person measured twice may come out the same: then the last of the wait decides.
   if (is_new || (seen.measured && elapsed_s >= hold_s + patience_s)) {
     const BodyVerdict verdict = judge_body(*seen.measured);
-    finish(Stage::Done, (verdict.is_plausible ? "Calibrated: " : "Calibrated, but look: ") + verdict.words);
+    is_doubtful_ = !verdict.is_plausible || !seen.doubts.empty();
+    std::string words = (is_doubtful_ ? "Calibrated, but look: " : "Calibrated: ") + verdict.words;
+    if (!seen.doubts.empty())
+      words +=
+          fmt::format("; the T-pose is doubtful: {}; then calibrate again", fmt::join(seen.doubts, "; "));
+    finish(Stage::Done, std::move(words));
   } else if (elapsed_s >= hold_s + patience_s) {
     finish(Stage::Failed,
            "Not calibrated: too few whole poses came in within a second. See the diagnosis below, then try "

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/motion/body/body.hpp"
 
@@ -17,7 +18,8 @@ class CalibrationSteps {
   enum class Stage { Idle, Countdown, Hold, Done, Failed };
   struct Seen {
     bool is_tracked = false;
-    std::optional<Body> measured;  ///< of the user, from the stream
+    std::optional<Body> measured;          ///< of the user, from the stream
+    std::vector<std::string> doubts = {};  ///< deviations from a T-pose while it was measured
   };
 
   void start(double now_s);
@@ -31,6 +33,8 @@ class CalibrationSteps {
   std::string large(double now_s) const;
   /// Instruction or result.
   const std::string& words() const { return words_; }
+  /// Done, but the measurements are implausible or the pose was no T-pose.
+  bool is_doubtful() const { return is_doubtful_; }
 
  private:
   void finish(Stage stage, std::string words);
@@ -39,6 +43,7 @@ class CalibrationSteps {
   double since_s_ = 0;
   std::optional<Body> before_;  ///< body before this calibration
   std::string words_;
+  bool is_doubtful_ = false;
 };
 
 /// The measurements of a body as text, and whether they are plausible for a person: head at 1.0 to 2.2 m, arm

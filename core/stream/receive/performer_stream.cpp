@@ -127,7 +127,7 @@ PerformerStream::Outcome PerformerStream::take(const PerformerFrame& frame, doub
 
 void PerformerStream::calibrate(double over_s, double now_s) {
   calibrating_ = Calibrating{now_s + std::clamp(over_s, 0.0, 60.0), {}};
-  calibration_doubts_.clear();
+  health_.calibration_doubts.clear();
 }
 
 void PerformerStream::pass_time(double now_s) {
@@ -135,12 +135,13 @@ void PerformerStream::pass_time(double now_s) {
   const std::vector<Pose> poses = std::move(calibrating_->poses);
   calibrating_.reset();
   if (poses.empty()) {
-    calibration_doubts_ = {"no pose came meanwhile; nothing was measured, calibrate again when there are"};
+    health_.calibration_doubts = {
+        "no pose came meanwhile; nothing was measured, calibrate again when there are"};
     return;
   }
   const StreamCalibration calibration = calibration_of(poses);
   body_ = calibration.body;
-  calibration_doubts_ = calibration.doubts;
+  health_.calibration_doubts = calibration.doubts;
   health_.calibrated = true;
   if (options_.floor_by_calibration)
     assembly_.set_floor(assembly_.correction().floor_y_m + calibration.floor_y_m);
@@ -179,7 +180,6 @@ PerformerObservation PerformerStream::observe(double now_s) const {
   seen.last_clock_jump_s = last_clock_jump_s_;
   seen.last_restart_s = last_restart_s_;
   seen.is_calibrating = calibrating_.has_value();
-  seen.calibration_doubts = calibration_doubts_;
   seen.why_no_pose = why_no_pose_;
   return seen;
 }

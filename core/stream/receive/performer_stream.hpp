@@ -81,7 +81,6 @@ class PerformerStream {
   };
   std::optional<Calibrating> calibrating_;
   std::optional<Body> body_;
-  std::vector<std::string> calibration_doubts_;
 };
 
 }  // namespace abrazo

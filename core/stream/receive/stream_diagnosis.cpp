@@ -361,7 +361,7 @@ class PerformerAdvice {
   }
 
   void look_at_calibration() {
-    for (const std::string& doubt : seen_.calibration_doubts)
+    for (const std::string& doubt : health_.calibration_doubts)
       add(Severity::Warning, "calibration", "the T-pose is doubtful: " + doubt + ", then calibrate again");
     if (!health_.calibrated && !seen_.is_calibrating && health_.tracked && stream_.uri.scheme == Scheme::Vmc)
       add(Severity::Note, "not-calibrated",

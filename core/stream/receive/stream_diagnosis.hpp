@@ -24,7 +24,6 @@ struct PerformerObservation {
   double clock_still_s = 0;  ///< duration without a change of the sender's time
   double last_clock_jump_s = -1, last_restart_s = -1;
   bool is_calibrating = false;
-  std::vector<std::string> calibration_doubts;
   std::string why_no_pose;  ///< reason for the newest frame without one
 };
 

@@ -262,6 +262,25 @@ TEST(Playback, PlayingEveryFrameGoesNoFartherThanTheNext) {
   EXPECT_EQ(p.advance_to_next(0.5, 5.1), 0.5) << "there is no other frame: on to the end";
 }
 
+TEST(Playback, OfALongStretchWithoutFramesOnlyTheBeginningIsPlayed) {
+  Playback p = playback(State::Playing, 3.4);
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 3.4);
+  p.advance(0.2);
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 8) << "the next frame";
+  p.speed = -1;
+  p.advance(0.1);
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 3.5) << "the frame before it stands as long in both directions";
+  p.cursor_s = 4.5;
+  p.pass_over_gap(3, 5);
+  EXPECT_EQ(p.cursor_s, 4.5) << "a gap of two seconds is played";
+  p.pause();
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 4.5) << "a parked cursor stays";
+}
+
 TEST(Playback, PlayingBackwardsParksAtTheStart) {
   Playback p = playback(State::Playing, 0.1);
   p.speed = -1;

@@ -304,6 +304,39 @@ TEST_F(SaveSession, WhatWasSolvedBeforeAndAfterARecordingIsAddedToIt) {
   EXPECT_EQ(in_runs, contents.frames);
 }
 
+TEST_F(SaveSession, WhatOnlyTheDiskHasFromBeforeARecordingIsAddedToItWhole) {
+  FrameHistory little(1 << 20);
+  auto facts = test::session_facts();
+  facts.has_times_of_file = true;
+  const auto kept =
+      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
+  session.commands.push(AttachListener{kept});
+  run_for(8, kept);
+  const std::string file = folder.file("s.abrazo");
+  session.keeper->recorder = *Recorder::open(file, facts);
+  kept->rest(session.keeper->recorder->store());
+  run_for(4, kept);
+  ASSERT_TRUE(kept->go_on());
+  ASSERT_TRUE(session.keeper->recorder->finish());
+  session.keeper->recorder.reset();
+  run_for(2, kept);
+  const std::vector<FrameSnapshotPtr>& solved = session.keeper->frames;
+  for (const FrameSnapshotPtr& frame : solved) little.append(frame);
+  little.set_store(kept->store());
+  ASSERT_GT(little.span().memory_first_s, 12) << "only the disk has what was before and while it recorded";
+  SessionToSave what = to("s.abrazo", 19);
+  what.file = file;
+  what.history = HistoryToSave{little.stretch(0, session.now_s), test::session_facts()};
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  EXPECT_EQ(saved->frames_left_out, 0U);
+  expect_all_frames_in(file);
+  EXPECT_THAT((*SessionFile::open(file))->recovery(), ElementsAre());
+  const auto again = little.range(0, session.now_s);
+  ASSERT_EQ(again.size(), solved.size()) << "the saved file has more frames than its recorder wrote";
+  EXPECT_EQ(little.at(1)->time_s, solved[60]->time_s);
+}
+
 TEST_F(SaveSession, WhileItIsRecordedAnotherOneGetsTheHistoryAndItsOwnFileDoesNot) {
   run_for(1);
   SessionToSave what = to("s.abrazo", 14);

@@ -54,6 +54,21 @@ TEST_F(Calibration, MeasuresForASecondAndTellsHeightAndArmSpan) {
   EXPECT_NE(steps.words().find("1.65 m from hand to hand: plausible"), std::string::npos) << steps.words();
 }
 
+TEST_F(Calibration, OfSomeoneWhoDancesIsDoneButTold) {
+  count_down();
+  steps.advance(14, {true, person(), {"a joint moved by 0.40 m meanwhile; stand still"}});
+  EXPECT_EQ(steps.stage(), Stage::Done);
+  EXPECT_TRUE(steps.is_doubtful());
+  EXPECT_TRUE(steps.words().starts_with("Calibrated, but look: head at")) << steps.words();
+  EXPECT_TRUE(steps.words().ends_with(
+      "the T-pose is doubtful: a joint moved by 0.40 m meanwhile; stand still; then calibrate again"))
+      << steps.words();
+  count_down();
+  EXPECT_FALSE(steps.is_doubtful());
+  steps.advance(14, {true, person()});
+  EXPECT_FALSE(steps.is_doubtful());
+}
+
 TEST_F(Calibration, ThatMeasuresTheSameAsBeforeIsDoneAfterAWhile) {
   steps.start(10);
   steps.advance(13, {true, person()});

@@ -132,7 +132,8 @@ TEST(StreamDiagnosis, TheRightProtocolWithoutBonesSaysWhatToSwitchOn) {
     StreamObservation seen = healthy(uri);
     seen.performers.clear();
     seen.last_frame_s = -1;
-    EXPECT_THAT(texts(seen), AllOf(HasSubstr("no-bones"), HasSubstr(advice), Not(HasSubstr("newest problem"))));
+    EXPECT_THAT(texts(seen),
+                AllOf(HasSubstr("no-bones"), HasSubstr(advice), Not(HasSubstr("newest problem"))));
     seen.latest_issue = "a bone without a name";
     EXPECT_THAT(texts(seen), HasSubstr(". The newest problem: a bone without a name\n"));
   }
@@ -208,7 +209,7 @@ TEST(StreamDiagnosis, SeesUnitAxisFloorAndRestPose) {
   EXPECT_THAT(when([](S&, P& p) { p.health.calibrated = p.health.tracked = false; }),
               Not(HasSubstr("not-calibrated")))
       << "nobody is there who could stand in the T-pose";
-  EXPECT_THAT(when([](S&, P& p) { p.calibration_doubts = {"the left arm is bent"}; }),
+  EXPECT_THAT(when([](S&, P& p) { p.health.calibration_doubts = {"the left arm is bent"}; }),
               HasSubstr("calibration: the T-pose is doubtful: the left arm is bent"));
 }
 

@@ -52,6 +52,12 @@ class RangeEntry : public EntryFrame {
       : EntryFrame(window, prompt, start, std::move(take)) {}
 };
 
+/// Without an exponent where digits are as short: "1250", not "1.25e+03".
+QString short_number(double value, int digits) {
+  const bool is_long = std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e6;
+  return QString::number(value, is_long ? 'f' : 'g', is_long ? 0 : digits);
+}
+
 struct TypedRange {
   double lower = 0, upper = 0;
 };
@@ -81,14 +87,14 @@ LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lack
   QString unit = *info.unit ? QString(" [%1]").arg(info.unit) : QString();
   if (logs) unit += *info.unit ? " log" : " (log)";
   const auto number = [&scale](double share) {
-    return scale.upper > 0 ? QString::number(share * scale.upper, 'g', 3) : QString("–");
+    return scale.upper > 0 ? short_number(share * scale.upper, 3) : QString("–");
   };
   LegendScale legend{info.title + unit, "0", number(1), info.is_signed, scale.map, {}, lacks_values};
   legend.part = scale.part;
   legend.upper = scale.upper;
   legend.has_lower = !info.is_signed && !logs;
   legend.lower = legend.has_lower ? scale.lower : 0;
-  if (legend.lower != 0) legend.low = QString::number(legend.lower, 'g', 3);
+  if (legend.lower != 0) legend.low = short_number(legend.lower, 3);
   if (info.is_signed) {
     legend.low = "−" + number(1);
     legend.high = "+" + number(1);
@@ -175,9 +181,9 @@ void ScalarLegend::mouseDoubleClickEvent(QMouseEvent*) {
 
 void ScalarLegend::askRange() {
   if (!(m_scale.upper > 0)) return;
-  const QString upper = QString::number(m_scale.upper, 'g', 4);
+  const QString upper = short_number(m_scale.upper, 4);
   // In the unit of the scale, whose numbers an example of another would contradict.
-  const QString shown = m_scale.has_lower ? QString::number(m_scale.lower, 'g', 4) + " to " + upper : upper;
+  const QString shown = m_scale.has_lower ? short_number(m_scale.lower, 4) + " to " + upper : upper;
   const auto take = [this, shown](const QString& typed) -> QString {
     const auto range = typed_range(typed, m_scale.has_lower);
     if (!range)

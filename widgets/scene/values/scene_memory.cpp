@@ -1,5 +1,6 @@
 #include "widgets/scene/values/scene_memory.hpp"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
@@ -38,6 +39,21 @@ void read(const QJsonObject& from, const char* name, double least, double most, 
   if (found >= least && found <= most) value = found;
 }
 
+QJsonObject ranges_of(const SceneMemory& memory) {
+  QJsonObject ranges;
+  for (std::size_t s = 0; s < mesh_scalar_count; ++s)
+    if (const auto& kept = memory.ranges[s]) ranges[scalar_names[s]] = QJsonArray{kept->lower, kept->upper};
+  return ranges;
+}
+
+std::optional<KeptRange> range_of(const QJsonValue& value) {
+  const QJsonArray ends = value.toArray();
+  if (ends.size() != 2 || !ends[0].isDouble() || !ends[1].isDouble()) return std::nullopt;
+  const KeptRange range{ends[0].toDouble(), ends[1].toDouble()};
+  if (!(range.upper > 0 && range.lower < range.upper)) return std::nullopt;
+  return range;
+}
+
 }  // namespace
 
 QString text_of(const SceneMemory& memory) {
@@ -58,6 +74,7 @@ QString text_of(const SceneMemory& memory) {
     if (!options.character_files[body].empty())
       all[character_names[body]] = QString::fromStdString(options.character_files[body]);
   if (std::isfinite(options.longest_m)) all["longest_edge_m"] = options.longest_m;
+  if (const QJsonObject ranges = ranges_of(memory); !ranges.isEmpty()) all["ranges"] = ranges;
   return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
@@ -78,6 +95,9 @@ SceneMemory scene_memory_of(const QString& text) {
   read(all, "mouse", mouse_names, options.navigation);
   for (std::size_t body = 0; body < 2; ++body)
     options.character_files[body] = all.value(character_names[body]).toString().toStdString();
+  const QJsonObject ranges = all.value("ranges").toObject();
+  for (std::size_t s = 0; s < mesh_scalar_count; ++s)
+    memory.ranges[s] = range_of(ranges.value(scalar_names[s]));
   options.is_logarithmic = all.value("logarithmic").toBool();
   options.is_parallel = all.value("parallel").toBool();
   options.shows_reference_beside = all.value("reference_beside").toBool();

@@ -133,6 +133,28 @@ MeshScalar SceneView::scalar() const {
 const SceneOptions& SceneView::options() const {
   return m_parts->options;
 }
+SceneMemory SceneView::memory() const {
+  const Parts& p = *m_parts;
+  SceneMemory memory{p.visibility, p.scalar, p.options, {}};
+  for (std::size_t s = 0; s < mesh_scalar_count; ++s)
+    if (const SteadyRange& range = p.ranges[s]; range.locked() && range.upper() > 0)
+      memory.ranges[s] = {range.lower(), range.upper()};
+  return memory;
+}
+
+void SceneView::setMemory(const SceneMemory& memory) {
+  for (std::size_t s = 0; s < mesh_scalar_count; ++s) {
+    SteadyRange& range = m_parts->ranges[s];
+    if (const auto& kept = memory.ranges[s])
+      range.fix(kept->lower, kept->upper);
+    else
+      range.set_locked(false);
+  }
+  setVisibility(memory.visibility);
+  setScalar(memory.scalar);
+  setOptions(memory.options);
+}
+
 const Selection& SceneView::selection() const {
   return m_parts->picker.selected();
 }
@@ -143,8 +165,10 @@ const std::vector<Selection>& SceneView::hidden() const {
 void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   Parts& p = *m_parts;
   p.framed = false;
-  for (SteadyRange& range : p.ranges) range.reset();
-  p.cell_range.reset();
+  p.ranges = {};  // another library has other values
+  p.cell_range = {};
+  p.legend->setLocked(false);
+  p.cell_legend->setLocked(false);
   extendLibrary(std::move(library));
 }
 
@@ -273,6 +297,8 @@ void SceneView::setScalar(MeshScalar scalar) {
 void SceneView::setOptions(const SceneOptions& wanted) {
   const Parts& p = *m_parts;
   SceneOptions placed = wanted;
+  // The plane of a cut that is off would wait unseen.
+  if (wanted.cut_in_world && !p.options.cut_in_world) placed.cuts = true;
   if (wanted.cut_in_world && !p.options.cut_in_world && p.shown) {  // where that of the eye would be, upright
     placed.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
     placed.cut_azimuth_rad = p.camera.azimuth_rad;

@@ -13,6 +13,7 @@
 #include "widgets/common/selection_model.hpp"
 #include "widgets/scene/values/mesh_scalar.hpp"
 #include "widgets/scene/values/orbit_camera.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
 #include "widgets/scene/values/scene_options.hpp"
 #include "widgets/scene/values/scene_parts.hpp"
 #include "widgets/scene/values/worn_pair.hpp"
@@ -43,6 +44,9 @@ class SceneView : public QWidget {
   bool showsComparison() const;
   const OrbitCamera& camera() const;
   const SceneOptions& options() const;
+  /// What of the setup is remembered.
+  SceneMemory memory() const;
+  void setMemory(const SceneMemory& memory);
   /// The shown selection; it persists in other frames, even if their mesh does not have it.
   const Selection& selection() const;
   /// Hidden items of the mesh, in order of hiding.
