@@ -16,10 +16,11 @@ namespace {
 constexpr double due_s = 0.4;  ///< lead time of the hand before a hold
 constexpr int due_looks = 8;   ///< into that time
 constexpr double ramp_s = 0.18;
-constexpr double ramp_speed = 4;  ///< of a hand on its way [m/s]
-constexpr double longest_ramp_s = 0.4;
-constexpr double turns_round_s = 0.02;  ///< a ramp that is half way up and is to go down again
-constexpr double reach_lost_m = 0.15;   ///< beyond the stretched arm
+constexpr double ramp_speed = 2.5;  ///< of a hand on its way [m/s]
+constexpr double longest_ramp_s = 0.45;
+constexpr double turns_round_s = 0.02;      ///< a ramp that is half way up and is to go down again
+constexpr double turns_round_at_m_s2 = 40;  ///< the hand of such a ramp, at most
+constexpr double reach_lost_m = 0.15;       ///< beyond the stretched arm
 constexpr double reach_found_m = 0.05;
 constexpr double easy_reach = 0.95;  ///< of the stretched arm; beyond it the body goes along
 constexpr double draws_fully_m = 0.25, draws_least_m = 0.35;  ///< beyond easy reach
@@ -29,6 +30,7 @@ constexpr double lag_rate = 30;      ///< omega [1/s]
 constexpr double rests_in_s = 0.15;  ///< a released hand
 
 constexpr double full_arm = 0.995;
+constexpr double last_part_of_arm = 0.08;  ///< of it; a hold stretches it gradually
 // Between the first and the second angle from the free arm to the wanted one, and below these lengths of the
 // wanted one, the hand goes straight in place of turning about the shoulder.
 constexpr double turns_rad = 1.2, goes_straight_rad = 2.2;
@@ -61,6 +63,18 @@ double stretched_arm(const Body& body, int hand) {
 
 double smooth(double ramp) {
   return 1 - quintic_fade(std::clamp(ramp, 0.0, 1.0));
+}
+
+/// Of `smooth`, by its ramp.
+double slope_of_smooth(double ramp) {
+  return 30 * ramp * ramp * (1 - ramp) * (1 - ramp);
+}
+
+/// The reach of an arm: towards the full length it grows ever more slowly, because next to it the elbow of an
+/// arm of two bones moves without bound.
+double gradual_reach(double reach, double longest) {
+  const double last = last_part_of_arm * longest;
+  return reach <= longest - last ? reach : longest - last * std::exp((longest - last - reach) / last);
 }
 
 /// The part perpendicular to `along`, as a unit vector; `otherwise` for a straight limb.
@@ -134,8 +148,10 @@ void HandHolds::update(const Surroundings& now, double elapsed_s) {
     }
     const double way = (at_user + heading * pair.offset - Vec3(now.partner.row(partner_hand))).norm();
     const double pace = 1 / std::clamp(ramp_s + way / ramp_speed, ramp_s, longest_ramp_s);
-    pair.ramp_pace +=
+    const double wanted =
         ((is_held ? pace : -pace) - pair.ramp_pace) * (1 - std::exp(-elapsed_s / turns_round_s));
+    const double most = turns_round_at_m_s2 * elapsed_s / std::max(way * slope_of_smooth(pair.ramp), 1e-3);
+    pair.ramp_pace += std::clamp(wanted, -most, most);
     pair.ramp += pair.ramp_pace * elapsed_s;
     if (pair.ramp <= 0 || pair.ramp >= 1) {
       pair.ramp = std::clamp(pair.ramp, 0.0, 1.0);
@@ -192,6 +208,7 @@ void HandHolds::reach_for(Pose& pose, const Body& body, const RootFrame& place, 
     along = mixed / reach;
     turn = turn_between(now / reach_now, along);
   }
+  reach += share * (gradual_reach(reach, longest) - reach);
   reach = std::min(reach, std::max(longest, (1 - share) * reach_now));
 
   // The elbow's side is carried along with the arm, and goes to that of the free arm bit by bit.

@@ -37,7 +37,7 @@ struct Settings {
   // Of the selection `intent` [m]: see IntentCost.
   double switch_margin = 0.03;  ///< cost by which another source must be better
   double leader_weight = 0.2;   ///< w_l
-  double move_weight = 0.1;     ///< w_m
+  double move_weight = 0.15;    ///< w_m
   double meant_weight = 0.2;    ///< w_p
 
   int continuations = 0;  ///< number of next recorded frames of the source that join the candidates
