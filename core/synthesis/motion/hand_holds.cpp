@@ -16,7 +16,7 @@ namespace {
 constexpr double due_s = 0.4;  ///< lead time of the hand before a hold
 constexpr int due_looks = 8;   ///< into that time
 constexpr double ramp_s = 0.18;
-constexpr double ramp_speed = 2.5;  ///< of a hand on its way [m/s]
+constexpr double ramp_speed = 3;  ///< of a hand on its way [m/s]
 constexpr double longest_ramp_s = 0.45;
 constexpr double turns_round_s = 0.02;      ///< a ramp that is half way up and is to go down again
 constexpr double turns_round_at_m_s2 = 40;  ///< the hand of such a ramp, at most
