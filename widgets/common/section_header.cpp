@@ -29,7 +29,9 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   QFont head = interface_font(11, QFont::DemiBold);
   head.setLetterSpacing(QFont::AbsoluteSpacing, 0.8);
   painter.setFont(head);
-  painter.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignVCenter | Qt::AlignLeft, m_title.toUpper());
+  const QRect room = rect().adjusted(12, 0, -8, 0);
+  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
+                   painter.fontMetrics().elidedText(m_title.toUpper(), Qt::ElideRight, room.width()));
 }
 
 }  // namespace abrazo::widgets
