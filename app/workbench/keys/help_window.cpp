@@ -53,7 +53,7 @@ int place_of_page(const QString& address) {
   // What a person in the window does comes before commands and programming.
   constexpr std::array for_the_window = {"annotation", "export", "intent",      "labels",  "live",
                                          "projects",   "live/",  "suggestions", "trouble", "video"};
-  const QString page = address.mid(int(std::size("qrc:/docs/guide/")) - 1).remove(".md");
+  const QString page = address.mid(static_cast<int>(std::size("qrc:/docs/guide/")) - 1).remove(".md");
   const bool is_for_window = std::ranges::any_of(for_the_window, [&](const char* each) {
     return QString(each).endsWith('/') ? page.startsWith(each) : page == each;
   });

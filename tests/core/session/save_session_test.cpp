@@ -69,6 +69,19 @@ struct SaveSession : testing::Test {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
+  static RecordingFacts facts_with_times() {
+    auto facts = test::session_facts();
+    facts.has_times_of_file = true;
+    return facts;
+  }
+  /// Drives the session, whose frames are all kept on disk.
+  std::shared_ptr<HistoryKeeper> keep_history(double seconds) {
+    auto kept = *HistoryKeeper::open(folder.file("history"), facts_with_times(),
+                                     {.bytes = 64 << 20, .tend_every_s = 0});
+    session.commands.push(AttachListener{kept});
+    run_for(seconds, kept);
+    return kept;
+  }
   HistoryToSave history(double from_s = 0) const {
     return {session.history.stretch(from_s, session.now_s), test::session_facts()};
   }
@@ -211,12 +224,7 @@ TEST_F(SaveSession, HasTheFramesOfTheHistory) {
 
 TEST_F(SaveSession, HasFramesThatAreNoLongerInMemoryAndThoseThatTheDiskOfTheHistoryDidNotTake) {
   FrameHistory little(2 << 20);
-  auto facts = test::session_facts();
-  facts.has_times_of_file = true;
-  const auto kept =
-      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
-  session.commands.push(AttachListener{kept});
-  run_for(8, kept);
+  const auto kept = keep_history(8);
   for (const FrameSnapshotPtr& frame : session.keeper->frames) little.append(frame);
   ASSERT_GT(little.span().evicted, 0U);
   session.commands.push(DetachListener{kept});  // as if the disk were full
@@ -234,12 +242,7 @@ TEST_F(SaveSession, HasFramesThatAreNoLongerInMemoryAndThoseThatTheDiskOfTheHist
 
 TEST_F(SaveSession, FramesThatCannotBeReadAreLeftOutAndCounted) {
   FrameHistory little(2 << 20);
-  auto facts = test::session_facts();
-  facts.has_times_of_file = true;
-  const auto kept =
-      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
-  session.commands.push(AttachListener{kept});
-  run_for(8, kept);
+  const auto kept = keep_history(8);
   for (const FrameSnapshotPtr& frame : session.keeper->frames) little.append(frame);
   little.set_store(kept->store());
   const std::uint64_t evicted = little.span().evicted;
@@ -306,14 +309,9 @@ TEST_F(SaveSession, WhatWasSolvedBeforeAndAfterARecordingIsAddedToIt) {
 
 TEST_F(SaveSession, WhatOnlyTheDiskHasFromBeforeARecordingIsAddedToItWhole) {
   FrameHistory little(1 << 20);
-  auto facts = test::session_facts();
-  facts.has_times_of_file = true;
-  const auto kept =
-      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
-  session.commands.push(AttachListener{kept});
-  run_for(8, kept);
+  const auto kept = keep_history(8);
   const std::string file = folder.file("s.abrazo");
-  session.keeper->recorder = *Recorder::open(file, facts);
+  session.keeper->recorder = *Recorder::open(file, facts_with_times());
   kept->rest(session.keeper->recorder->store());
   run_for(4, kept);
   ASSERT_TRUE(kept->go_on());

@@ -89,8 +89,8 @@ class Reached : public Drawn {
   }
 
   Vec3 arm() const { return Vec3(partner_.row(partner_hand - 1)) - shoulder(); }
-  /// Where the hand is when the target asks for the wrist there, from the shoulder.
-  Vec3 hand_for(const Vec3& wrist) {
+  /// The partner when the target asks for the wrist there, from the shoulder.
+  Pose pose_for(const Vec3& wrist) {
     HandHolds::UserHands user_hands;
     user_hands[0].at = shoulder() + wrist + Vec3(partner_.row(partner_hand) - partner_.row(partner_hand - 1));
     HandHolds holds(pairs_, arms_, user_hands);
@@ -99,8 +99,9 @@ class Reached : public Drawn {
     holds.place_arms(
         pose, {*library_, playhead_, moment_, false, partner_, user_root, partner_, body_, place}, 1.0 / 60);
     arms_ = holds.arms();
-    return pose.row(partner_hand);
+    return pose;
   }
+  Vec3 hand_for(const Vec3& wrist) { return pose_for(wrist).row(partner_hand); }
   /// The longest step of the hand on a way of the target in steps of 1 mm [m].
   double longest_step(const Vec3& from, const Vec3& to) {
     const int steps = static_cast<int>((to - from).norm() * 1000);
@@ -139,6 +140,20 @@ TEST_F(Reached, TheElbowTurnsToItsSideWithinABoundedSpeed) {
   const double turned_rad = 2.5 - std::acos(std::clamp(arms_[1].side.dot(free.side), -1.0, 1.0));
   const double share = 0.4 * 0.4 * 0.4 * (10 - 15 * 0.4 + 6 * 0.4 * 0.4);  // of a ramp of 0.4
   EXPECT_NEAR(turned_rad, 8.0 / 60 / share, 1e-3) << "8 rad/s, faster while the hold is weak";
+}
+
+TEST_F(Reached, NextToTheStretchedArmTheElbowMovesNoFasterThanTwiceTheTarget) {
+  pairs_[left_with_right].ramp = 1;
+  const auto elbow_at = [&](double share) -> Vec3 { return pose_for(share * arm()).row(partner_hand - 2); };
+  const double bones_m = body_.bone_lengths[static_cast<std::size_t>(partner_hand - 3)] +
+                         body_.bone_lengths[static_cast<std::size_t>(partner_hand - 2)];
+  const double step = 0.001 / arm().norm(), stretched = bones_m / arm().norm();
+  Vec3 last = elbow_at(0.85 * stretched);
+  for (double share = 0.85 * stretched + step; share < 1.2 * stretched; share += step) {
+    const Vec3 elbow = elbow_at(share);
+    EXPECT_LT((elbow - last).norm(), 0.002) << share / stretched << " of the stretched arm";
+    last = elbow;
+  }
 }
 
 TEST_F(Reached, WhatIsListedAreTheHoldsOfThisFrame) {
@@ -202,6 +217,27 @@ TEST_F(RecordedHold, AHoldLastsUntilTheHandsAreEighteenCentimetresApart) {
   for (int frame = 50; frame < 180; ++frame) {
     show(holds, frame);
     EXPECT_EQ(is_held(holds), frame < 150) << frame;
+  }
+}
+
+TEST_F(RecordedHold, ThatEndsOnTheWaySlowsTheHandDownGradually) {
+  constexpr double most_m_s2 = 40;
+  for (int frames = 4; frames < 20; ++frames) {
+    HandHolds holds;
+    for (int frame = 36; frame < 36 + frames; ++frame) show(holds, frame);
+    for (int n = 0; n < 40 && holds.pairs()[left_with_right].ramp > 0; ++n) {
+      const HandHolds::Pair before = holds.pairs()[left_with_right];
+      show(holds, n, n == 0);  // of another source, which does not hold
+      const HandHolds::Pair& now = holds.pairs()[left_with_right];
+      if (now.ramp <= 0) break;
+      const auto at = static_cast<std::size_t>(n);
+      const Vec3 target = holds.user_hands()[0].at + root_frame(poses_.a.poses[at]).rotation() * now.offset;
+      const double way_m = (target - Vec3(poses_.b.poses[at].row(partner_hand))).norm();
+      const double slope = 30 * before.ramp * before.ramp * (1 - before.ramp) * (1 - before.ramp);
+      EXPECT_LE(std::abs(now.ramp_pace - before.ramp_pace) * 60 * slope * way_m, 1.0001 * most_m_s2)
+          << frames << " frames up, " << n << " down";
+    }
+    EXPECT_EQ(holds.pairs()[left_with_right].ramp, 0) << "it is released all the same";
   }
 }
 
