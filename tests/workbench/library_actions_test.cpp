@@ -118,10 +118,15 @@ TEST_F(LibraryActions, StartOverLeavesAnEmptyPlan) {
   desk().offer(written_couple());
   const QPointer<LibraryBuild> before = desk().building();
   const QPointer<BuildDialog> dialog = &before->dialog();
+  QPushButton* start_over = nullptr;
+  for (auto* button : dialog->findChildren<QPushButton*>())
+    if (button->text() == "Start over") start_over = button;
+  ASSERT_TRUE(start_over);
+  ASSERT_TRUE(before->isBusy());
+  EXPECT_FALSE(start_over->isEnabled()) << "what is running is cancelled first";
   ASSERT_TRUE(until([&] { return !before->isBusy(); }));
   ASSERT_EQ(dialog->model().rowCount(), 2);
-  for (auto* button : dialog->findChildren<QPushButton*>())
-    if (button->text() == "Start over") button->click();
+  start_over->click();
   EXPECT_TRUE(until([&] { return !before && !dialog; })) << "nothing of it is kept";
   ASSERT_TRUE(desk().building());
   EXPECT_EQ(desk().building()->dialog().model().rowCount(), 0);

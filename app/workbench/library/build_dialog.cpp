@@ -312,6 +312,7 @@ void BuildDialog::showProgress(const QString& doing, double fraction) {
   m_state->setText(doing);
   m_cancel->setText("Cancel");
   m_build->setEnabled(false);
+  m_startOver->setEnabled(false);
 }
 
 void BuildDialog::endProgress() {
@@ -320,6 +321,7 @@ void BuildDialog::endProgress() {
   m_state->clear();
   m_cancel->setText("Close");
   m_build->setEnabled(m_model.canBuild());
+  m_startOver->setEnabled(true);
 }
 
 void BuildDialog::showError(const QString& text) {

@@ -42,7 +42,7 @@ void add_view(MainWindow& window, Project& project) {
 }
 
 /// The take that was annotated, if the library has it, and the place where the cursor was parked.
-void goBackTo(MainWindow& window, const std::string& subject, const QString& parked) {
+void go_back_to(MainWindow& window, const std::string& subject, const QString& parked) {
   if (!window.session()) return;
   const auto& takes = window.session()->material().library->takes();
   const bool has_take =
@@ -88,7 +88,7 @@ void show_view(MainWindow& window, const std::map<std::string, std::string>& vie
     window.scene().lookFrom(turn->azimuth_rad, turn->elevation_rad);
   // Once all parts of the window have taken the session.
   QTimer::singleShot(0, &window, [&window, subject = text("subject"), parked = text("parked_s")] {
-    goBackTo(window, subject.toStdString(), parked);
+    go_back_to(window, subject.toStdString(), parked);
   });
 }
 
