@@ -112,6 +112,8 @@ PaneGrid plan_panes(int panes, int width_px, int height_px) {
   const auto shared = [panes](int by) { return (panes + by - 1) / by; };
   while (grid.rows < most_rows && width_px / shared(grid.rows) < readable_width) ++grid.rows;
   grid.columns = std::clamp(width_px / least_width, 1, shared(grid.rows));
+  // Where not all fit, those that are in view are readable.
+  if (shared(grid.columns) > grid.rows) grid.columns = std::clamp(width_px / readable_width, 1, grid.columns);
   grid.all_rows = shared(grid.columns);
   return grid;
 }
