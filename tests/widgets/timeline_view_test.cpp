@@ -3,6 +3,7 @@
 
 #include <QAccessible>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
@@ -385,6 +386,25 @@ TEST(TransportBar, TellsTheStateInWords) {
   playback.play();
   bar.showPlayback(playback, 10);
   EXPECT_TRUE(bar.stateText().startsWith("PLAYING"));
+}
+
+TEST(TransportBar, SaysToAParkedCursorThatTheLiveEndGoesOn) {
+  TransportBar bar;
+  const auto* live = bar.findChild<QPushButton*>();
+  ASSERT_TRUE(live);
+  Playback playback;
+  playback.extend(0, 35);
+  bar.showPlayback(playback, 10);
+  EXPECT_EQ(live->text(), "LIVE  End");
+  playback.seek(11.5);
+  bar.showPlayback(playback, 10);
+  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_TRUE(live->toolTip().contains("Hold the input still (Ctrl+Space)")) << "and how to hold it";
+  bar.showHeld(true);
+  EXPECT_EQ(live->text(), "HELD  End");
+  bar.showHeld(false);
+  bar.showInputComes(false);
+  EXPECT_EQ(live->text(), "LIVE  End") << "nothing comes in that could be answered";
 }
 
 TEST(TransportBar, ATakeIsNeverLive) {

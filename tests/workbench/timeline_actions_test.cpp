@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -133,6 +134,20 @@ TEST_F(TimelineActions, CtrlLLoopsTheRange) {
   EXPECT_EQ(playback().state, State::Playing);
   EXPECT_GE(playback().cursor_s, 1);
   EXPECT_LT(playback().cursor_s, 1.3);
+}
+
+/// A person who parks the cursor may believe that the clip stops with it.
+TEST_F(TimelineActions, AParkedCursorIsToldThatTheClipPlaysOn) {
+  const auto* live = window().transport().findChild<QPushButton*>();
+  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  const double last_s = playback().last_s;
+  EXPECT_TRUE(until([last_s] { return playback().last_s > last_s; })) << "as it says";
+  action("Hold the input still")->trigger();
+  EXPECT_TRUE(until([live] { return live->text() == "HELD  End"; }));
+  action("Hold the input still")->trigger();
+  EXPECT_TRUE(until([live] { return live->text() == "LIVE goes on  End"; }));
+  press(Qt::Key_End);
+  EXPECT_TRUE(until([live] { return live->text() == "LIVE  End"; }));
 }
 
 /// The cursor sprang to and fro between the gap and the frame after it.
