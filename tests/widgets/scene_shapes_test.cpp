@@ -233,6 +233,25 @@ TEST(SceneMemory, StartsUncutAndUnfilteredByASelection) {
   EXPECT_EQ(scene_memory_of(text_of(memory)).options, SceneOptions());
 }
 
+TEST(SceneMemory, KeepsForAnotherSessionHowTheSceneIsDrawnAndNotWhatOfItIsShown) {
+  SceneMemory memory;
+  memory.visibility[static_cast<std::size_t>(ScenePart::Follower)] = false;
+  memory.scalar = MeshScalar::Energy;
+  memory.options.map = ColourMap::Cividis;
+  memory.options.longest_m = 0.8;
+  SceneMemory drawn = memory;
+  drawn.visibility = default_visibility;
+  memory.options.character_files = {"ana.vrm", ""};
+  memory.options.cuts = memory.options.cut_in_world = memory.options.isolates = true;
+  memory.options.cut_m = 0.2;
+  memory.ranges[0] = {0.0, 0.25};
+  const SceneMemory next = without_session(memory);
+  EXPECT_EQ(next.visibility, drawn.visibility);
+  EXPECT_EQ(next.scalar, drawn.scalar);
+  EXPECT_EQ(next.options, drawn.options);
+  EXPECT_EQ(next.ranges, drawn.ranges);
+}
+
 TEST(SceneMemory, IsAsUsualForWhatItDoesNotKnow) {
   for (const char* text : {"", "[]", "not json", R"({"map": "jet", "trail_s": 9000, "mouse": 3, "shown": 1})",
                            R"({"ranges": {"residual": [3, 1], "weight": 2, "energy": ["0", "1"]}})"}) {

@@ -94,6 +94,37 @@ TEST(TimelineTracks, OfHoursItKeepsTheLanesWholeAndTheCurvesWithTheirExtremes) {
   EXPECT_EQ(tracks.costs().columns(0, 600, 1)[0].most, 1.006F);
 }
 
+TEST(TimelineTracks, AnotherLibraryChangesNumbersAndLabelsAndNotTheIntervals) {
+  TimelineTracks tracks = ten_frames();
+  tracks.renumber({-1, -1, 3, -1, -1, 6}, [](int pair, bool user_is_active) {
+    return PairFacts{pair + 1000, pair < 103 ? "turn" : "spin",
+                     user_is_active ? Leader::Partner : Leader::User};
+  });
+  ASSERT_EQ(tracks.sources().size(), 3U);
+  EXPECT_EQ(tracks.sources()[0].key, 3);
+  EXPECT_EQ(tracks.sources()[2].key, 6);
+  EXPECT_NEAR(tracks.sources()[2].from_s, 0.8, 1e-12) << "a jump within a take stays one";
+  EXPECT_EQ(tracks.pair_at(0.35), 1103);
+  ASSERT_EQ(tracks.moves().size(), 2U);
+  EXPECT_EQ(tracks.label(tracks.moves()[1].key), "spin");
+  EXPECT_NEAR(tracks.moves()[1].from_s, 0.3, 1e-12);
+  EXPECT_NEAR(tracks.moves()[1].to_s, 0.9, 1e-12);
+  ASSERT_EQ(tracks.leaders().size(), 1U);
+  EXPECT_EQ(tracks.leaders()[0].key, static_cast<int>(Leader::Partner));
+  EXPECT_EQ(tracks.costs().size(), 10U);
+}
+
+TEST(TimelineTracks, AnotherLibraryLeavesNoGapsWherePairsAreThinned) {
+  TimelineTracks tracks;
+  for (int i = 0; i < 60'000; ++i) {
+    tracks.append({.time_s = 0.1 * i, .pair = i, .take = 0, .label = "turn"});
+    tracks.thin_older(10'000, 4'000);
+  }
+  tracks.renumber({0}, [](int pair, bool) { return PairFacts{pair, "turn", Leader::User}; });
+  EXPECT_EQ(tracks.moves().size(), 1U);
+  EXPECT_EQ(tracks.sources().size(), 1U);
+}
+
 TEST(TimelineTracks, FindsTheEdgesOfMoves) {
   const TimelineTracks tracks = ten_frames();
   EXPECT_NEAR(*tracks.edge_after(0), 0.6, 1e-12);

@@ -3,6 +3,7 @@
 
 #include <QAccessible>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
@@ -94,6 +95,49 @@ TEST_F(Timeline, TheNextSessionStandsWhereTheLastOneStood) {
   EXPECT_DOUBLE_EQ(view.axis().left_px, left);
   EXPECT_DOUBLE_EQ(view.axis().width_px, width);
   EXPECT_TRUE(view.tracks().sources().empty());
+}
+
+/// They were empty until all frames were read again: half a minute of a long session.
+TEST_F(Timeline, AnotherLibraryLeavesTheLanesAsTheyAreWithItsLabels) {
+  const TimelineTracks before = view.tracks();
+  LibraryColumns columns = library->columns();
+  columns.takes.front().labels.front().label = "spin";
+  view.extendLibrary(std::make_shared<const MotionLibrary>(std::move(columns)));
+  ASSERT_EQ(view.tracks().sources().size(), before.sources().size());
+  EXPECT_EQ(view.tracks().sources().back().to_s, before.sources().back().to_s);
+  ASSERT_FALSE(view.tracks().moves().empty());
+  EXPECT_EQ(view.tracks().label(view.tracks().moves().front().key), "spin");
+}
+
+/// A view that has more to read is due sooner than a parked one.
+TEST_F(Timeline, SaysThatTheHistoryHasMoreThanWasRead) {
+  QSignalSpy unfinished(&view, &TimelineView::unfinished);
+  view.refresh(history, playback);
+  EXPECT_EQ(unfinished.count(), 0);
+  class Parts : public FrameStore {
+   public:
+    Span span() const override { return {0, frame(999)->time_s, 0, 999, 1000}; }
+    FrameSnapshotPtr at(double) const override { return nullptr; }
+    FrameSnapshotPtr frame(std::uint64_t index) const override {
+      auto frame = std::make_shared<FrameSnapshot>();
+      frame->index = index;
+      frame->time_s = 0.01 * static_cast<double>(index);
+      return frame;
+    }
+    std::vector<FrameSnapshotPtr> range(double, double, std::size_t) const override { return {}; }
+    std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last,
+                                          std::size_t) const override {
+      std::vector<FrameSnapshotPtr> frames;
+      for (std::uint64_t i = first; i <= last; ++i) frames.push_back(frame(i));
+      return frames;
+    }
+    std::optional<std::uint64_t> state_before(std::uint64_t) const override { return std::nullopt; }
+  };
+  FrameHistory stored;
+  stored.set_store(std::make_shared<Parts>());
+  view.showOtherFrames();
+  for (std::size_t read = 0; read < 1000; read += FrameHistory::read_at_once) view.refresh(stored, playback);
+  EXPECT_EQ(unfinished.count(), static_cast<int>(1000 / FrameHistory::read_at_once));
 }
 
 TEST_F(Timeline, MovesTheCursorAloneWithoutTheHistory) {
@@ -342,6 +386,25 @@ TEST(TransportBar, TellsTheStateInWords) {
   playback.play();
   bar.showPlayback(playback, 10);
   EXPECT_TRUE(bar.stateText().startsWith("PLAYING"));
+}
+
+TEST(TransportBar, SaysToAParkedCursorThatTheLiveEndGoesOn) {
+  TransportBar bar;
+  const auto* live = bar.findChild<QPushButton*>();
+  ASSERT_TRUE(live);
+  Playback playback;
+  playback.extend(0, 35);
+  bar.showPlayback(playback, 10);
+  EXPECT_EQ(live->text(), "LIVE  End");
+  playback.seek(11.5);
+  bar.showPlayback(playback, 10);
+  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_TRUE(live->toolTip().contains("Hold the input still (Ctrl+Space)")) << "and how to hold it";
+  bar.showHeld(true);
+  EXPECT_EQ(live->text(), "HELD  End");
+  bar.showHeld(false);
+  bar.showInputComes(false);
+  EXPECT_EQ(live->text(), "LIVE  End") << "nothing comes in that could be answered";
 }
 
 TEST(TransportBar, ATakeIsNeverLive) {

@@ -142,15 +142,29 @@ TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
   EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
 }
 
-TEST_F(CompareInTheWindow, AnotherSessionKeepsAAndStartsItsRunsAnew) {
+TEST_F(CompareInTheWindow, AIsOfItsSessionAlone) {
   trigger("Freeze the settings as A");
   window().document().changeSetting("velocity-weight", "2");
+  trigger("Swap A and B");
+  trigger("Live keeps A");
+  ASSERT_TRUE(desk().frozen() && desk().isAside());
   ASSERT_TRUE(until([] { return desk().shown() != nullptr; }));
-  QSignalSpy started(&window().document(), &Document::began);  // the next session may lie at the same address
+  QSignalSpy began(&window().document(), &Document::began);  // the next session may lie at the same address
   window().openDemo();
-  ASSERT_TRUE(until([&started] { return !started.isEmpty() && shown() && shown()->index > 30; }));
-  EXPECT_EQ(desk().frozen(), *preset("responsive"));
-  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 10; }));
+  ASSERT_TRUE(until([&] { return began.count() == 1 && shown() && shown()->index > 60; }));
+  EXPECT_FALSE(desk().frozen());
+  EXPECT_FALSE(desk().isAside());
+  EXPECT_FALSE(desk().shown());
+  EXPECT_FALSE(action("Live keeps A")->isChecked());
+  EXPECT_FALSE(action("Swap A and B")->isEnabled());
+  window().document().changeSetting("velocity-weight", "3");
+  EXPECT_TRUE(until([] { return live().settings.velocity_weight == 3; })) << "live is not held any longer";
+  window().undoStack().undo();
+  window().undoStack().undo();
+  EXPECT_FALSE(desk().frozen()) << "the swap was of the session before";
+  trigger("Freeze the settings as A");
+  window().document().changeSetting("velocity-weight", "2.5");
+  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 10; })) << "it runs anew";
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/takes/take_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app::pair_actions_test {
 namespace {
@@ -208,6 +209,28 @@ TEST_F(PairActions, ATakeAndALabelThatComeAtTheSameTimeAreBothInTheLibrary) {
   ASSERT_FALSE(library()->takes().front().labels.empty());
   EXPECT_EQ(library()->takes().front().labels.front().label, "said meanwhile");
   desk.showSubject("");
+}
+
+TEST_F(PairActions, TheLanesOfTheTimelineStayWhenATakeIsAdded) {
+  const auto tracks = [] { return window().timeline().tracks(); };
+  ASSERT_TRUE(until([&] { return !tracks().sources().empty(); }, patience_ms));
+  PairedTake take = *s_dance;
+  take.name = "added to the lanes";
+  take.roles = {{0, static_cast<int>(take.a.poses.size()), ActivePerformer::A}};
+  const auto before = tracks();
+  widgets::TimelineTracks after;
+  QSignalSpy extended(&pairs(), &PairDesk::extended);
+  QObject here;
+  QObject::connect(&pairs(), &PairDesk::extended, &here, [&] { after = tracks(); });
+  pairs().extend(take);
+  ASSERT_TRUE(until([&] { return extended.count() == 1; }, patience_ms))
+      << window().messages().text().toStdString();
+  ASSERT_GE(after.sources().size(), before.sources().size()) << "in the turn of the change already";
+  for (std::size_t i = 0; i < before.sources().size(); ++i) {
+    EXPECT_EQ(after.sources()[i].from_s, before.sources()[i].from_s) << i;
+    EXPECT_EQ(after.sources()[i].key, before.sources()[i].key) << i;
+  }
+  EXPECT_GE(after.moves().size(), before.moves().size());
 }
 
 TEST_F(PairActions, TheCountdownIsNotOfThePair) {

@@ -16,12 +16,15 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/opening/session_material.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_file.hpp"
+#include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/selection_model.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -178,6 +181,39 @@ TEST_F(ProjectActions, AnOpenedSessionIsShownAsItWasLeft) {
   EXPECT_NEAR(window().ticker().playback().cursor_s, 0.3, 1e-9);
   EXPECT_FALSE(is_modified());
   window().scene().setMemory({left.visibility, left.scalar, left.options, {}});
+}
+
+/// Without a word, the next session was without its dancers.
+TEST_F(ProjectActions, HiddenBodiesAndCharactersAreOfTheirSession) {
+  widgets::SceneView& scene = window().scene();
+  const std::string character = file("ana.vrm").toStdString();
+  ASSERT_TRUE(write_whole_file(character, test::skinned_rig(test::Naming::Vrm1)));
+  action("Show or hide result")->trigger();
+  widgets::SceneOptions options = scene.options();
+  options.character_files[1] = character;
+  options.map = widgets::ColourMap::Cividis;
+  scene.setOptions(options);
+  ASSERT_TRUE(until([&] { return scene.characters()[1] != nullptr; }));
+  window().selection().select(widgets::Selection::joint(3));
+  action("Hide the selection")->trigger();
+  action("Cut")->trigger();
+  ASSERT_TRUE(scene.options().cuts);
+  const widgets::PartVisibility left = scene.visibility();
+  save_as("hidden.abrazo");
+  desk().setAsks(false);
+  reopen([] { window().openDemo(); });
+  EXPECT_EQ(scene.visibility(), widgets::default_visibility);
+  EXPECT_EQ(scene.characters()[1], nullptr);
+  EXPECT_EQ(scene.options().character_files[1], "");
+  EXPECT_TRUE(scene.hidden().empty());
+  EXPECT_FALSE(scene.options().cuts);
+  EXPECT_EQ(scene.options().map, widgets::ColourMap::Cividis) << "how it is drawn is the window's";
+  reopen([] { window().openFiles({file("hidden.abrazo")}); });
+  desk().setAsks(true);
+  EXPECT_EQ(scene.visibility(), left) << "as the file says";
+  EXPECT_TRUE(until([&] { return scene.characters()[1] != nullptr; }));
+  EXPECT_FALSE(is_modified());
+  scene.setOptions({});
 }
 
 TEST_F(ProjectActions, WhoDecidesAboutTheRoleIsWorkThatIsKept) {

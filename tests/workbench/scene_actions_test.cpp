@@ -351,20 +351,19 @@ TEST_F(SceneKeys, ACharacterThatCannotBeShownIsNamedAndLeft) {
   EXPECT_TRUE(window().messages().text().contains("ana.vrm")) << window().messages().text().toStdString();
 }
 
-TEST_F(SceneKeys, RememberHowTheSceneIsSetUp) {
+TEST_F(SceneKeys, RememberHowTheSceneIsDrawnAndNotWhatASessionHides) {
   widgets::SceneOptions options;
   options.map = widgets::ColourMap::Cividis;
   scene().setOptions(options);
-  press(Qt::Key_T);
+  press(Qt::Key_2, Qt::AltModifier);
+  ASSERT_FALSE(shows(ScenePart::Leader));
   EXPECT_TRUE(until([] {
-    const auto memory = widgets::scene_memory_of(remembered().scene());
-    return memory.options.map == widgets::ColourMap::Cividis &&
-           memory.visibility[static_cast<std::size_t>(ScenePart::Tetrahedra)];
+    return widgets::scene_memory_of(remembered().scene()).options.map == widgets::ColourMap::Cividis;
   }));
   MainWindow next(remembered());
   add_all_actions(next);
   EXPECT_EQ(next.scene().options().map, widgets::ColourMap::Cividis);
-  EXPECT_TRUE(next.scene().visibility()[static_cast<std::size_t>(ScenePart::Tetrahedra)]);
+  EXPECT_EQ(next.scene().visibility(), widgets::default_visibility);
 }
 
 }  // namespace

@@ -4,9 +4,12 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/quick_entry.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -131,6 +134,45 @@ TEST_F(TimelineActions, CtrlLLoopsTheRange) {
   EXPECT_EQ(playback().state, State::Playing);
   EXPECT_GE(playback().cursor_s, 1);
   EXPECT_LT(playback().cursor_s, 1.3);
+}
+
+/// A person who parks the cursor may believe that the clip stops with it.
+TEST_F(TimelineActions, AParkedCursorIsToldThatTheClipPlaysOn) {
+  const auto* live = window().transport().findChild<QPushButton*>();
+  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  const double last_s = playback().last_s;
+  EXPECT_TRUE(until([last_s] { return playback().last_s > last_s; })) << "as it says";
+  action("Hold the input still")->trigger();
+  EXPECT_TRUE(until([live] { return live->text() == "HELD  End"; }));
+  action("Hold the input still")->trigger();
+  EXPECT_TRUE(until([live] { return live->text() == "LIVE goes on  End"; }));
+  press(Qt::Key_End);
+  EXPECT_TRUE(until([live] { return live->text() == "LIVE  End"; }));
+}
+
+/// The cursor sprang to and fro between the gap and the frame after it.
+TEST_F(TimelineActions, ALoopWithoutAFrameIsNotPlayedAndSaysWhy) {
+  SessionEngine& engine = window().session()->engine();
+  ticker().follow();
+  action("Hold the input still")->trigger();
+  const double held_s = engine.clock().now_s(), released_s = held_s + 2 * Playback::longest_gap_s;
+  ASSERT_TRUE(until([&] { return engine.clock().now_s() > released_s; }));
+  action("Hold the input still")->trigger();
+  ASSERT_TRUE(until([&] { return engine.history().span().last_s > released_s; }));
+  const double after_s = engine.history().stepped(released_s - 0.5, 1)->time_s;
+  ASSERT_GT(after_s - engine.history().at(released_s - 0.5)->time_s, Playback::longest_gap_s);
+  ticker().setRange(after_s - 1.2, after_s - 0.8);
+  ticker().setLoop(true);
+  ticker().seek(after_s - 1);
+  turn();
+  QSignalSpy frames(&ticker(), &FrameTicker::frameReady);
+  press(Qt::Key_Space);
+  EXPECT_TRUE(until([] { return playback().state == State::Parked; }));
+  EXPECT_GE(playback().cursor_s, after_s - 1.2);
+  EXPECT_LE(playback().cursor_s, after_s - 0.8);
+  EXPECT_EQ(frames.count(), 0);
+  EXPECT_TRUE(window().messages().text().contains("no frame lies between in and out"))
+      << window().messages().text().toStdString();
 }
 
 TEST_F(TimelineActions, GGoesToFramesAndTimesAndSaysWhatIsWrong) {

@@ -58,8 +58,8 @@ QString facts_at(const TimelineContent& content, const QPointF& place);
 /// The take at a time, the last recorded of several; null if there is none.
 const TimelineTake* take_at(const TimelineContent& content, double time_s);
 
-/// Who leads in a frame, from the user's role and the recording.
+/// Who leads, from the user's role and the recording.
 /// @param pair  the selected one, of this library; -1 = none
-Leader leader_of(const FrameSnapshot& frame, int pair, const MotionLibrary* library);
+Leader leader_of(bool user_is_active, int pair, const MotionLibrary* library);
 
 }  // namespace abrazo::widgets

@@ -125,8 +125,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   return facts + "<br>" + clock_at(time_s);
 }
 
-Leader leader_of(const FrameSnapshot& frame, int pair, const MotionLibrary* library) {
-  const bool user_is_active = frame.settings.user_role == UserRole::Active;
+Leader leader_of(bool user_is_active, int pair, const MotionLibrary* library) {
   const Leader as_set = user_is_active ? Leader::User : Leader::Partner;
   if (!library || pair < 0 || pair >= library->pair_count()) return as_set;
   const PairSource& source = library->source(pair);

@@ -26,24 +26,26 @@ double TimelineTracks::longest_gap_s() const {
 
 void TimelineTracks::append(const TrackRow& row) {
   left_out_s_ = std::max(left_out_s_, row.left_out_s);
-  extend(sources_, row.time_s, row.take, row.source_changed);
-  extend(moves_, row.time_s, row.label.empty() ? -1 : label_key(row.label));
-  extend(leaders_, row.time_s, static_cast<int>(row.leader));
-  extend(user_roles_, row.time_s, row.user_is_active ? 1 : 0);
+  const double gap = longest_gap_s();
+  extend(sources_, row.time_s, gap, row.take, row.source_changed);
+  extend(moves_, row.time_s, gap, label_key(row.label));
+  extend(leaders_, row.time_s, gap, static_cast<int>(row.leader));
+  extend(user_roles_, row.time_s, gap, row.user_is_active ? 1 : 0);
   pairs_.push_back({row.time_s, row.pair});
   if (row.take < 0) return;
-  extend(by_intent_, row.time_s, row.is_by_intent ? 1 : 0);
+  extend(by_intent_, row.time_s, gap, row.is_by_intent ? 1 : 0);
   costs_.append(row.time_s, row.cost);
   energies_.append(row.time_s, row.energy);
 }
 
-void TimelineTracks::extend(Lane& lane, double time_s, int key, bool begins) const {
-  const bool continues = !lane.empty() && time_s - lane.back().to_s < longest_gap_s();
+void TimelineTracks::extend(Lane& lane, double time_s, double gap_s, int key, bool begins) {
+  const bool continues = !lane.empty() && time_s - lane.back().to_s < gap_s;
   if (continues) lane.back().to_s = time_s;  // an interval lasts until the next begins
   if (!continues || begins || lane.back().key != key) lane.push_back({time_s, time_s, key});
 }
 
 int TimelineTracks::label_key(std::string_view label) {
+  if (label.empty()) return -1;
   const auto found = std::find(labels_.begin(), labels_.end(), label);
   if (found != labels_.end()) return static_cast<int>(found - labels_.begin());
   labels_.emplace_back(label);
@@ -82,8 +84,24 @@ void TimelineTracks::thin_older(std::size_t newest, std::size_t most_older) {
   }
 }
 
-void TimelineTracks::clear() {
-  *this = {};
+void TimelineTracks::renumber(const std::vector<int>& takes,
+                              const std::function<PairFacts(int, bool)>& facts) {
+  for (Interval& interval : sources_)
+    if (interval.key >= 0) interval.key = takes[static_cast<std::size_t>(interval.key)];
+  moves_.clear();
+  leaders_.clear();
+  const double gap = std::max(longest_gap_s(), pairs_apart_s());
+  auto role = user_roles_.begin();
+  for (Selection& chosen : pairs_) {
+    while (role != user_roles_.end() && std::next(role) != user_roles_.end() &&
+           std::next(role)->from_s <= chosen.time_s)
+      ++role;
+    const bool user_is_active = role == user_roles_.end() || role->key == 1;
+    const PairFacts now = facts(chosen.pair, user_is_active);
+    chosen.pair = now.pair;
+    extend(moves_, chosen.time_s, gap, label_key(now.label));
+    extend(leaders_, chosen.time_s, gap, static_cast<int>(now.leader));
+  }
 }
 
 int TimelineTracks::pair_at(double time_s) const {
@@ -91,8 +109,12 @@ int TimelineTracks::pair_at(double time_s) const {
                                       [](double t, const Selection& chosen) { return t < chosen.time_s; });
   if (after == pairs_.begin()) return -1;
   const Selection& here = *std::prev(after);
-  const double apart_s = older_pairs_ > 1 ? pairs_[1].time_s - pairs_[0].time_s : 0;
-  return time_s - here.time_s < std::max(longest_gap_s(), 2 * apart_s) ? here.pair : -1;
+  return time_s - here.time_s < std::max(longest_gap_s(), pairs_apart_s()) ? here.pair : -1;
+}
+
+/// Older pairs are not farther apart, unless frames are missing.
+double TimelineTracks::pairs_apart_s() const {
+  return older_pairs_ > 1 ? 2 * (pairs_[1].time_s - pairs_[0].time_s) : 0;
 }
 
 bool TimelineTracks::is_by_intent_at(double time_s) const {

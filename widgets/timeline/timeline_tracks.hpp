@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,13 @@ struct TrackRow {
   bool is_by_intent = false;   ///< the cost
 };
 
+/// What the lanes say of a pair.
+struct PairFacts {
+  int pair = -1;
+  std::string_view label;
+  Leader leader = Leader::User;
+};
+
 /// Content of the lanes of the timeline, updated frame by frame. Plain data, independent of Qt.
 class TimelineTracks {
  public:
@@ -46,7 +54,11 @@ class TimelineTracks {
   /// Bounds the memory: curves as in SampleCurve; pairs of older frames are halved as often as needed. Lanes
   /// keep all their intervals.
   void thin_older(std::size_t newest, std::size_t most_older);
-  void clear();
+  /// The same rows with another library: all at once, from what is kept. Where pairs are thinned, moves and
+  /// leaders change at the kept ones.
+  /// @param takes  the new number of each take; -1 = gone
+  /// @param facts  of a pair by its former number (-1 = none), and whether the user was active
+  void renumber(const std::vector<int>& takes, const std::function<PairFacts(int, bool)>& facts);
 
   const Lane& sources() const { return sources_; }  ///< a jump within a take also begins an interval
   const Lane& moves() const { return moves_; }
@@ -71,7 +83,8 @@ class TimelineTracks {
     double time_s = 0;
     int pair = -1;
   };
-  void extend(Lane& lane, double time_s, int key, bool begins = false) const;
+  static void extend(Lane& lane, double time_s, double gap_s, int key, bool begins = false);
+  double pairs_apart_s() const;
   int label_key(std::string_view label);
 
   Lane sources_, moves_, leaders_, user_roles_, by_intent_;

@@ -6,6 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/session/frames/frame_in_library.hpp"
 #include "widgets/timeline/timeline_accessible.hpp"
@@ -27,8 +28,8 @@ TrackRow row_of(const FrameSnapshot& frame, const std::shared_ptr<const MotionLi
   const int pair = selected_pair(frame, library);
   TrackRow row;
   row.time_s = frame.time_s;
-  row.leader = leader_of(frame, pair, library.get());
   row.user_is_active = frame.settings.user_role == UserRole::Active;
+  row.leader = leader_of(row.user_is_active, pair, library.get());
   if (!library || pair < 0 || pair >= library->pair_count()) return row;
   const Candidate& chosen = result.candidates[static_cast<std::size_t>(result.selected)];
   row.pair = pair;
@@ -85,14 +86,16 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   arrange();  // the new viewport has no place yet
 }
 
+/// From the pairs that are kept: to read the frames again takes a long session many turns.
 void TimelineView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
-  m_content.library = std::move(library);
-  // Labels, roles and the numbers of pairs may be others now: all frames are taken again.
-  m_content.tracks.clear();
-  m_content.settings = {};
-  m_nextIndex = 0;
-  m_isBegun = false;
-  m_settingsMarksScale = 0;
+  const auto before = std::exchange(m_content.library, std::move(library));
+  const MotionLibrary& now = *m_content.library;
+  PairNumbers numbers(*before, now);
+  m_content.tracks.renumber(numbers.takes(), [&](int pair, bool user_is_active) {
+    const int same = numbers(pair);
+    return PairFacts{same, same < 0 ? std::string_view() : now.label(same),
+                     leader_of(user_is_active, same, &now)};
+  });
   redraw();
 }
 
@@ -156,10 +159,12 @@ void TimelineView::redraw() {
 
 void TimelineView::refresh(const FrameHistory& history, const Playback& playback) {
   const double shown_until = axis().last_s(), known_until = m_content.playback.last_s;
-  const double memory_first_s = history.span().memory_first_s;
-  if (memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
-  m_content.memory_first_s = memory_first_s;
-  for (const FrameSnapshotPtr& frame : history.next_since(m_nextIndex)) take(*frame);
+  const FrameHistory::Span span = history.span();
+  if (span.memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
+  m_content.memory_first_s = span.memory_first_s;
+  const std::vector<FrameSnapshotPtr> frames = history.next_since(m_nextIndex);
+  for (const FrameSnapshotPtr& frame : frames) take(*frame);
+  if (!frames.empty() && frames.back()->time_s < span.last_s) emit unfinished();
   m_content.tracks.drop_before(playback.first_s);
   m_content.tracks.thin_older(newest_kept, older_kept);
   m_content.settings.evict_before(playback.first_s);

@@ -22,8 +22,8 @@ class TimelineView : public QWidget {
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   /// Rebuilds the lanes from other frames of the same session; `showMarkers` sets the markers.
   void showOtherFrames();
-  /// Continues with another library that begins with the takes of the previous one: a take more, or other
-  /// roles and labels.
+  /// Continues with another library: a take more, or other roles and labels. The lanes stay, as this library
+  /// says.
   void extendLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
 
@@ -65,7 +65,7 @@ class TimelineView : public QWidget {
   QSize minimumSizeHint() const override;
 
  public slots:
-  /// Reads new frames of the history and moves the cursor.
+  /// Reads new frames of the history, many in several calls, and moves the cursor.
   void refresh(const abrazo::FrameHistory& history, const abrazo::Playback& playback);
   /// Moves the cursor alone.
   void showPlayback(const abrazo::Playback& playback);
@@ -74,6 +74,8 @@ class TimelineView : public QWidget {
   void showRange();  ///< from in to out; everything without them
 
  signals:
+  /// The history has more frames than were read.
+  void unfinished();
   void seekRequested(double time_s);
   /// Begin or end of dragging the cursor.
   void scrubbing(bool on);

@@ -41,10 +41,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   }
   m_state = new TabularLabel(this);
   m_state->setAccessibleName("State of playback");
-  m_live = new QPushButton("LIVE  End", this);
+  m_live = new QPushButton(this);
   m_live->setFocusPolicy(Qt::NoFocus);
   m_live->setCursor(Qt::PointingHandCursor);
-  m_live->setToolTip("Follow the live end (End)");
   makeSpeeds();
   makeRepeats();
   makeFormats();
@@ -77,6 +76,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   connect(m_live, &QPushButton::clicked, this, &TransportBar::followRequested);
   connect(m_loop, &QToolButton::clicked, this, &TransportBar::loopRequested);
   dress();
+  showLive();
   showPlayback({}, -1);
 }
 
@@ -244,16 +244,27 @@ void TransportBar::showRecording(const QString& words) {
 void TransportBar::showHeld(bool on) {
   if (on == m_isHeld) return;
   m_isHeld = on;
-  m_live->setText(on ? "HELD  End" : "LIVE  End");
-  m_live->setToolTip(on ? "To the live end (End). The input is held: nothing is recorded until it is released"
-                        : "Follow the live end (End)");
+  showLive();
   showState();
 }
 
 void TransportBar::showInputComes(bool on) {
   if (on == m_inputComes) return;
   m_inputComes = on;
+  showLive();
   showState();
+}
+
+/// Who looks at an earlier frame does not see that the input is still answered.
+void TransportBar::showLive() {
+  const bool goes_on = !m_isHeld && m_inputComes && m_shown.state != Playback::State::Following;
+  m_live->setText(m_isHeld ? "HELD  End" : goes_on ? "LIVE goes on  End" : "LIVE  End");
+  m_live->setToolTip(
+      m_isHeld  ? "To the live end (End). The input is held: nothing is recorded until it is released"
+      : goes_on ? "To the live end (End). It goes on: the input is answered and recorded while you look at "
+                  "earlier frames. Solve > Hold the input still (Ctrl+Space) holds a clip"
+                : "Follow the live end (End)");
+  makeRoom();
 }
 
 void TransportBar::showRole(bool user_is_active, const QString& by) {
@@ -302,7 +313,8 @@ QString TransportBar::roleText() const {
 
 /// Rather nothing than half a name.
 void TransportBar::makeRoom() {
-  int others_px = 660;
+  int others_px = 570;
+  if (!m_isOfTake) others_px += m_live->sizeHint().width() + 12;
   for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role),
                               static_cast<QWidget*>(m_livePin), static_cast<QWidget*>(m_triedPin)})
     if (!part->isHidden()) others_px += part->sizeHint().width() + 12;
@@ -346,7 +358,10 @@ void TransportBar::showPlayback(const Playback& playback, long long frame) {
                     playback.repeat != m_shown.repeat || playback.every_frame != m_shown.every_frame;
   m_shown = playback;
   m_shownFrame = frame;
-  if (look) dress();
+  if (look) {
+    dress();
+    showLive();
+  }
   showTime();
   showState();
   showSpeed();

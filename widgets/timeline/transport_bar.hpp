@@ -82,6 +82,7 @@ class TransportBar : public QWidget {
   void dress();
   void makeRoom();
   void showTime();
+  void showLive();
   void showState();
   void showSpeed();
   void dressRole();

@@ -15,16 +15,21 @@ namespace {
 
 using widgets::ComparePanel;
 
-/// A from one value to another.
+/// A from one value to another, in the session that it was frozen in.
 class ChangeFrozen : public QUndoCommand {
  public:
   ChangeFrozen(ComparisonDesk& desk, const Settings& after)
-      : m_desk(desk), m_before(desk.frozen()), m_after(after) {}
-  void redo() override { m_desk.setFrozen(m_after); }
-  void undo() override { m_desk.setFrozen(m_before); }
+      : m_desk(desk), m_session(desk.session()), m_before(desk.frozen()), m_after(after) {}
+  void redo() override { set(m_after); }
+  void undo() override { set(m_before); }
 
  private:
+  void set(const std::optional<Settings>& frozen) {
+    if (m_desk.session() == m_session) m_desk.setFrozen(frozen);
+  }
+
   ComparisonDesk& m_desk;
+  int m_session;
   std::optional<Settings> m_before, m_after;
 };
 

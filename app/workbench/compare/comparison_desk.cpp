@@ -58,8 +58,8 @@ bool ComparisonDesk::Work::isOf(const std::optional<ComparisonTask>& task) const
 }
 
 void ComparisonDesk::startSession() {
-  m_frozenAt_s = 0;
-  m_document.session()->holdSettings(m_isAside);
+  ++m_session;
+  setFrozen({});  // A was frozen in the session before
 }
 
 void ComparisonDesk::endSession() {

@@ -29,6 +29,8 @@ class ComparisonDesk : public QObject {
 
   const std::optional<Settings>& frozen() const { return m_frozen; }
   bool isAside() const { return m_isAside; }
+  /// Number of the session that A is of: A ends with it.
+  int session() const { return m_session; }
   /// The shown comparison; null = none.
   const Comparison* shown() const { return m_shown.get(); }
   /// Whether a what-if was requested, done or not.
@@ -75,8 +77,8 @@ class ComparisonDesk : public QObject {
   std::optional<Settings> m_frozen;
   double m_frozenAt_s = 0;
   bool m_isAside = false;
-  std::optional<double> m_parted_s;  ///< when A and B began to differ
-  std::optional<Settings> m_tried;   ///< last seen settings, and when they and the cursor last changed
+  int m_session = 0;
+  std::optional<Settings> m_tried;  ///< last seen settings, and when they and the cursor last changed
   double m_cursor_s = 0;
   QElapsedTimer m_still;
   Work m_whatIf, m_shadow;

@@ -46,6 +46,9 @@ void show_session(MainWindow& window) {
   const Material& material = window.session()->material();
   const QString library = QString::fromStdString(material.library->name());
   const QString input = QString::fromStdString(material.input.name);
+  // Nobody would look for bodies that were hidden in the session before; the file may hide its own.
+  window.scene().setMemory(without_session(window.scene().memory()));
+  window.scene().showHidden();
   window.scene().setLibrary(material.library);
   window.candidates().setLibrary(material.library);
   window.timeline().setLibrary(material.library);

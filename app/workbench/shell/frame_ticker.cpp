@@ -110,9 +110,15 @@ void FrameTicker::advance(double elapsed_s) {
 }
 
 void FrameTicker::passOverGap() {
-  const auto here = m_history->at(m_playback.cursor_s);
-  const auto next = m_history->stepped(m_playback.cursor_s, 1);
-  if (here && next) m_playback.pass_over_gap(here->time_s, next->time_s);
+  for (int gap = 0; gap < 2; ++gap) {  // a loop that ends in one may begin in another
+    const double before_s = m_playback.cursor_s;
+    const auto here = m_history->at(before_s);
+    const auto next = m_history->stepped(before_s, 1);
+    if (!here || !next || m_playback.state != Playback::State::Playing) return;
+    m_playback.pass_over_gap(here->time_s, next->time_s);
+    if (m_playback.state == Playback::State::Parked) emit nothingToPlay();
+    if (m_playback.cursor_s == before_s) return;
+  }
 }
 
 bool FrameTicker::waitsForPicture() {

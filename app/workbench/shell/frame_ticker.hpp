@@ -64,6 +64,8 @@ class FrameTicker : public QObject {
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
+  /// Playing ended at once: the looped range has no frames.
+  void nothingToPlay();
   /// Update of panels that show a time span: about 10 times per second, twice when parked, and immediately
   /// after a request.
   void panelsDue();

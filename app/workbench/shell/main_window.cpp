@@ -194,6 +194,7 @@ void MainWindow::wireViews() {
   connect(&m_ticker, &FrameTicker::panelsDue, this, &MainWindow::showPanels);
   connect(m_selection, &SelectionModel::selectionChanged, &m_ticker, &FrameTicker::askForPanels);
   connect(m_plots, &PlotPanel::unfinished, &m_ticker, &FrameTicker::askForPanels);
+  connect(m_timeline, &TimelineView::unfinished, &m_ticker, &FrameTicker::askForPanels);
   connect(m_candidates, &CandidateTable::candidateHovered, m_scene, &SceneView::showCandidate);
   connect(m_tree, &SceneTree::visibilityRequested, m_scene, &SceneView::setVisibility);
   connect(m_scene, &SceneView::visibilityChanged, m_tree, &SceneTree::setVisibility);

@@ -5,6 +5,7 @@
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
@@ -94,6 +95,10 @@ void connect_views(MainWindow& window) {
   QObject::connect(&timeline, &TimelineView::rangeRequested, &ticker, &FrameTicker::setRange);
   QObject::connect(&timeline, &TimelineView::scrubbing, &ticker, &FrameTicker::setScrubbing);
   QObject::connect(&ticker, &FrameTicker::playbackChanged, &timeline, &TimelineView::showPlayback);
+  QObject::connect(&ticker, &FrameTicker::nothingToPlay, &window, [&window] {
+    window.messages().showInformation(
+        "Nothing to play: no frame lies between in and out. Move in or out, or switch Loop off (Ctrl+L)");
+  });
   QObject::connect(&ticker, &FrameTicker::playbackChanged, &transport,
                    [&] { transport.showAchieved(ticker.achievedSpeed()); });
 }

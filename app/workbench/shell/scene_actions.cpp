@@ -99,17 +99,15 @@ void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu, QUndoStack& und
   keep_cut_edits(scene, undo);
 }
 
-/// Restores the scene's setup; changes are stored together shortly afterwards.
+/// Restores how the scene is drawn; changes are stored together shortly afterwards.
 void remember(SceneView& scene, UserSettings& remembered) {
   constexpr int quiet_ms = 400;
-  scene.setMemory(widgets::scene_memory_of(remembered.scene()));
+  scene.setMemory(without_session(widgets::scene_memory_of(remembered.scene())));
   auto* quiet = new QTimer(&scene);
   quiet->setSingleShot(true);
   quiet->setInterval(quiet_ms);
   QObject::connect(quiet, &QTimer::timeout, &scene, [&remembered, &scene] {
-    widgets::SceneMemory memory = scene.memory();
-    memory.ranges = {};  // of a session; another has other values
-    remembered.setScene(widgets::text_of(memory));
+    remembered.setScene(widgets::text_of(without_session(scene.memory())));
   });
   const auto changed = [quiet] { quiet->start(); };
   QObject::connect(&scene, &SceneView::visibilityChanged, quiet, changed);

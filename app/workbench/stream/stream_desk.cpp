@@ -326,7 +326,7 @@ void StreamDesk::showInput() {
     const char* kind = material.is_only_recorded() ? "recorded" : "clip";
     nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
     m_window.sceneTree().setInputName(kind);
-    m_window.transport().showInputComes(true);
+    m_window.transport().showInputComes(!material.is_only_recorded());
     return m_window.status().showInput({clip, true, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();

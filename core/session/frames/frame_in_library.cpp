@@ -15,6 +15,25 @@ int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
   return same >= 0 ? same : to.find_pair(take, frame, !source.swapped);
 }
 
+PairNumbers::PairNumbers(const MotionLibrary& from, const MotionLibrary& to) : from_(from), to_(to) {
+  for (const LibraryTake& take : from.takes()) takes_.push_back(to.find_take(take.name));
+}
+
+int PairNumbers::operator()(int pair) {
+  if (pair < 0 || pair >= from_.pair_count()) return -1;
+  const PairSource& source = from_.source(pair);
+  const int take = takes_[source.take], near = pair + apart_;
+  if (take < 0) return -1;
+  if (near >= 0 && near < to_.pair_count()) {
+    PairSource same = source;
+    same.take = static_cast<std::uint32_t>(take);
+    if (order_of(to_.source(near)) == order_of(same)) return near;
+  }
+  const int found = same_pair(from_, pair, to_);
+  if (found >= 0) apart_ = found - pair;
+  return found;
+}
+
 namespace {
 
 /// A pair within this number, or none.

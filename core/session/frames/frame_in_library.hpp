@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/library/store/motion_library.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
@@ -10,6 +11,21 @@ namespace abrazo {
 /// The pair of library `to` with the same take, frame and active performer as `pair` of library `from`; if
 /// `to` has that frame only with the other performer active, that pair. -1 if it has neither.
 int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to);
+
+/// `same_pair` for many pairs of one library, quick where they follow each other. Both libraries outlive it.
+class PairNumbers {
+ public:
+  PairNumbers(const MotionLibrary& from, const MotionLibrary& to);
+  int operator()(int pair);
+  /// Number in `to` of each take of `from`; -1 = it does not have it.
+  const std::vector<int>& takes() const { return takes_; }
+
+ private:
+  const MotionLibrary& from_;
+  const MotionLibrary& to_;
+  std::vector<int> takes_;
+  int apart_ = 0;  ///< number of the last pair in `to` less that in `from`
+};
 
 /// Whether the library has every pair that a frame and the solver's state before it name. Guards against
 /// inconsistent files.

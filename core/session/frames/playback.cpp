@@ -49,7 +49,19 @@ void Playback::pass_over_gap(double from_s, double to_s) {
   const double shown_to_s = from_s + gap_shown_s;
   if (state != State::Playing || to_s - from_s <= longest_gap_s) return;
   if (cursor_s <= shown_to_s || cursor_s >= to_s) return;
-  cursor_s = speed > 0 ? to_s : shown_to_s;
+  const bool forward = speed > 0;
+  const auto repeated = loop ? range() : std::nullopt;
+  const bool has_before = !repeated || repeated->from_s <= shown_to_s;
+  const bool has_after = !repeated || repeated->to_s >= to_s;
+  if (!has_before && !has_after) return pause();
+  if (forward ? has_after : has_before) {
+    cursor_s = forward ? to_s : shown_to_s;
+  } else if (repeat == Repeat::PingPong) {
+    speed = -speed;
+    cursor_s = forward ? shown_to_s : to_s;
+  } else {
+    cursor_s = forward ? repeated->from_s : repeated->to_s;
+  }
 }
 
 /// Brings a cursor that left the range back into it, however far it went.

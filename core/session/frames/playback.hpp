@@ -41,7 +41,8 @@ struct Playback {
   /// The same, but not past the next frame. @return the time consumed [s]
   double advance_to_next(double elapsed_s, double next_frame_s);
   /// Passes over a stretch without frames, such as that of a held input: of a gap between two frames longer
-  /// than `longest_gap_s` only the first `gap_shown_s` are played. Only while it plays.
+  /// than `longest_gap_s` only the first `gap_shown_s` are played. Only while it plays. A looped range that
+  /// begins or ends in the gap is repeated from there; one that has nothing else is not played: it parks.
   void pass_over_gap(double from_s, double to_s);
   static constexpr double longest_gap_s = 2, gap_shown_s = 0.5;
   void seek(double time_s);  ///< parks there

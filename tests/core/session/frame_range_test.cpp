@@ -97,7 +97,7 @@ TEST_F(Stretch, IsCaughtUpWithInParts) {
   EXPECT_LE(store->most_at_once, FrameHistory::read_at_once);
 }
 
-/// After a change of library all views begin anew.
+/// Views that show another subject begin anew, and so do the figures after a change of library.
 TEST_F(Stretch, IsReadFromItsBeginningInPartsToo) {
   EXPECT_EQ(caught_up(0), all(0, 5100));
   EXPECT_LE(store->most_at_once, FrameHistory::read_at_once);

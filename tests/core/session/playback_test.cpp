@@ -281,6 +281,52 @@ TEST(Playback, OfALongStretchWithoutFramesOnlyTheBeginningIsPlayed) {
   EXPECT_EQ(p.cursor_s, 4.5) << "a parked cursor stays";
 }
 
+TEST(Playback, ALoopWithoutAFrameIsNotPlayed) {
+  for (const double speed : {1.0, -1.0}) {
+    Playback p = playback(State::Playing, 4.5);
+    p.loop = true;
+    p.set_range(4, 5);
+    p.speed = speed;
+    p.pass_over_gap(3, 8);
+    EXPECT_EQ(p.state, State::Parked);
+    EXPECT_EQ(p.cursor_s, 4.5) << "and the cursor does not leave it";
+  }
+  Playback p = playback(State::Playing, 4.5);
+  p.set_range(4, 5);
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 8) << "without Loop the range is no bound";
+}
+
+TEST(Playback, ALoopThatEndsInAStretchWithoutFramesStartsOverThere) {
+  Playback p = playback(State::Playing, 3.6);
+  p.loop = true;
+  p.set_range(2, 5);
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 2) << "the frame after the gap is beyond out";
+  p.cursor_s = 3.6;
+  p.repeat = Playback::Repeat::PingPong;
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 3.5);
+  EXPECT_EQ(p.speed, -1);
+}
+
+TEST(Playback, ALoopThatBeginsInAStretchWithoutFramesBeginsAtTheNextOne) {
+  Playback p = playback(State::Playing, 4);
+  p.loop = true;
+  p.set_range(4, 9);
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 8);
+  p.speed = -1;
+  p.cursor_s = 7.9;
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 9) << "backwards the frame before the gap is before in";
+  p.cursor_s = 7.9;
+  p.repeat = Playback::Repeat::PingPong;
+  p.pass_over_gap(3, 8);
+  EXPECT_EQ(p.cursor_s, 8);
+  EXPECT_EQ(p.speed, 1);
+}
+
 TEST(Playback, PlayingBackwardsParksAtTheStart) {
   Playback p = playback(State::Playing, 0.1);
   p.speed = -1;

@@ -149,6 +149,15 @@ TEST(FrameInLibrary, NumbersCandidatesAsTheOtherLibraryDoes) {
   EXPECT_EQ(selected_pair(*frame, before), pair);
 }
 
+TEST(FrameInLibrary, NumbersManyPairsAsItDoesOne) {
+  const Library before = test::small_library(), after = with_b_leading(before, 5, 15);
+  PairNumbers numbers(*before, *after);
+  for (int pair = -1; pair <= before->pair_count(); ++pair)
+    EXPECT_EQ(numbers(pair), same_pair(*before, pair, *after)) << pair;
+  ASSERT_EQ(numbers.takes().size(), before->takes().size());
+  EXPECT_EQ(numbers.takes().back(), static_cast<int>(before->takes().size()) - 1);
+}
+
 TEST(FrameInLibrary, WhereTheRolesChangedItIsTheFrameWithTheOtherOneActive) {
   const Library before = test::small_library(), after = with_b_leading(before, 5, 15);
   const std::string& first = before->takes().front().name;

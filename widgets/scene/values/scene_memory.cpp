@@ -56,6 +56,15 @@ std::optional<KeptRange> range_of(const QJsonValue& value) {
 
 }  // namespace
 
+SceneMemory without_session(SceneMemory memory) {
+  memory.visibility = default_visibility;
+  memory.ranges = {};
+  memory.options.character_files = {};
+  memory.options.isolates = false;
+  memory.options.take_cut_of({});
+  return memory;
+}
+
 QString text_of(const SceneMemory& memory) {
   QJsonObject shown;
   for (std::size_t p = 0; p < scene_part_count; ++p) shown[part_names[p]] = memory.visibility[p];

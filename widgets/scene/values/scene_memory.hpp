@@ -16,8 +16,8 @@ struct KeptRange {
   bool operator==(const KeptRange&) const = default;
 };
 
-/// The scene settings remembered between two starts; without selection, isolation and cutting planes, because
-/// a start shows everything.
+/// The setup of the scene as text keeps it; without selection, isolation and cutting planes, because whoever
+/// opens a session wants to see all of it.
 struct SceneMemory {
   PartVisibility visibility = default_visibility;
   MeshScalar scalar = MeshScalar::Residual;
@@ -25,6 +25,9 @@ struct SceneMemory {
   std::array<std::optional<KeptRange>, mesh_scalar_count> ranges = {};  ///< of the legend; none: it adapts
 };
 
+/// What stays when another session begins: how the scene is drawn. Shown parts, characters, isolation,
+/// cutting plane and ranges of the legend belong to a session and are as usual.
+SceneMemory without_session(SceneMemory memory);
 /// One JSON object, by name.
 QString text_of(const SceneMemory& memory);
 /// Unknown (of another version) or out-of-range values get their defaults.

@@ -44,7 +44,7 @@ class SceneView : public QWidget {
   bool showsComparison() const;
   const OrbitCamera& camera() const;
   const SceneOptions& options() const;
-  /// What of the setup is remembered.
+  /// The setup, to be kept as text.
   SceneMemory memory() const;
   void setMemory(const SceneMemory& memory);
   /// The shown selection; it persists in other frames, even if their mesh does not have it.
