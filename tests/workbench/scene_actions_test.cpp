@@ -68,7 +68,7 @@ TEST_F(SceneKeys, SwitchPartsAndWaysOfShowing) {
   EXPECT_TRUE(scene().options().cut_in_world);
   const double azimuth = scene().options().cut_azimuth_rad;
   press(Qt::Key_Right, Qt::AltModifier);
-  EXPECT_GT(scene().options().cut_azimuth_rad, azimuth);
+  EXPECT_GT(std::remainder(scene().options().cut_azimuth_rad - azimuth, 6.283185307), 0);
   press(Qt::Key_Up, Qt::AltModifier);
   EXPECT_GT(scene().options().cut_elevation_rad, 0);
   press(Qt::Key_PageUp, Qt::AltModifier);
@@ -77,14 +77,13 @@ TEST_F(SceneKeys, SwitchPartsAndWaysOfShowing) {
   EXPECT_TRUE(scene().options().shows_reference_beside);
 }
 
-/// The plane of the world with its handles, which face aside.
+/// A new plane of the world with its handles.
 class CuttingPlane : public SceneKeys {
  protected:
   void SetUp() override {
     SceneKeys::SetUp();
     press(Qt::Key_C);
     press(Qt::Key_C, Qt::ShiftModifier);
-    for (int step = 0; step < 8; ++step) press(Qt::Key_Left, Qt::AltModifier);
     window().undoStack().clear();
     m_before = scene().options();
   }
@@ -129,6 +128,34 @@ TEST_F(CuttingPlane, IsDraggedAlongItsNormalByItsShaftAndUndoTakesItBack) {
   EXPECT_TRUE(scene().options().has_cut_of(m_before));
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_GT(scene().options().cut_m, m_before.cut_m + 0.05);
+}
+
+TEST_F(CuttingPlane, StandsUprightAndTurnedFromTheEyeWhenItIsNew) {
+  const widgets::CutPlane plane = m_before.plane();
+  const Vec3 to_eye = (scene().camera().position() - scene().camera().focus()).normalized();
+  EXPECT_NEAR(plane.normal.y(), 0, 1e-9);
+  EXPECT_LT(plane.normal.dot(to_eye), std::cos(0.5236)) << "by 30 degrees or more";
+  EXPECT_GT(plane.normal.dot(to_eye), 0) << "it takes away what is nearer";
+}
+
+/// Its outline ran away from the pointer, by metres for some pixels.
+TEST_F(CuttingPlane, IsMovedFinelyByItsOutlineWhereItFacesTheEye) {
+  widgets::SceneOptions facing = m_before;
+  facing.cut_azimuth_rad = scene().camera().azimuth_rad;
+  facing.cut_elevation_rad = scene().camera().elevation_rad;
+  scene().setOptions(facing);
+  const widgets::CutHandles shown = handles();
+  const double pixel_m =
+      1 / widgets::PictureProjection(scene().camera(), surface().width(), surface().height())
+              .pixels_per_metre(shown.middle->depth_m);
+  const QPointF lower_edge(0.5 * (shown.outline[0]->x + shown.outline[1]->x),
+                           0.5 * (shown.outline[0]->y + shown.outline[1]->y));
+  const QPointF to = lower_edge + QPointF(0, 20);
+  take(lower_edge, to);
+  letGo(to);
+  const double moved_m = scene().options().cut_m - facing.cut_m;
+  EXPECT_GT(moved_m, 0.5 * 20 * pixel_m) << "downwards is nearer";
+  EXPECT_LT(moved_m, 2.1 * 20 * pixel_m);
 }
 
 TEST_F(CuttingPlane, IsTurnedByItsKnobAboutItsMiddle) {

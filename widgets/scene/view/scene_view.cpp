@@ -299,9 +299,10 @@ void SceneView::setOptions(const SceneOptions& wanted) {
   SceneOptions placed = wanted;
   // The plane of a cut that is off would wait unseen.
   if (wanted.cut_in_world && !p.options.cut_in_world) placed.cuts = true;
-  if (wanted.cut_in_world && !p.options.cut_in_world && p.shown) {  // where that of the eye would be, upright
-    placed.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
-    placed.cut_azimuth_rad = p.camera.azimuth_rad;
+  if (wanted.cut_in_world && !p.options.cut_in_world && p.shown) {
+    const Vec3 one = p.shown->result.result.row(0), other = p.shown->result.result.row(joint_count);
+    placed.cut_at = 0.5 * (one + other);
+    placed.cut_azimuth_rad = new_cut_azimuth(p.camera.azimuth_rad, other - one);
     placed.cut_elevation_rad = 0;
   }
   applyOptions(placed);
