@@ -293,6 +293,37 @@ TEST_F(SceneKeys, EscapeClosesTheFilterAndKeepsTheSelection) {
   EXPECT_EQ(selection(), Selection::joint(0));
 }
 
+/// A message pushed the scene down: a click on a button landed on another one.
+TEST_F(SceneKeys, AMessageMovesNoButtonOfTheSceneAndCoversNone) {
+  const auto controls = [] {
+    std::vector<QRect> found;
+    for (QToolButton* chip : scene().findChildren<QToolButton*>("chip"))
+      if (chip->isVisible()) found.emplace_back(chip->mapToGlobal(QPoint(0, 0)), chip->size());
+    for (QWidget* legend : scene().findChildren<widgets::ScalarLegend*>())
+      if (legend->isVisible()) found.emplace_back(legend->mapToGlobal(QPoint(0, 0)), legend->size());
+    return found;
+  };
+  widgets::MessageBar& bar = window().messages();
+  for (const QSize size : {QSize(640, 400), QSize(900, 600), QSize(1280, 720)}) {
+    window().resize(size);
+    turn();
+    const std::vector<QRect> before = controls();
+    const QRect of_scene = scene().geometry();
+    bar.showError("take.bvh: " + QString("a joint is missing. ").repeated(4));
+    turn();
+    ASSERT_TRUE(bar.isVisible());
+    EXPECT_EQ(scene().geometry(), of_scene) << size.width();
+    EXPECT_EQ(controls(), before) << size.width();
+    const QRect told(bar.mapToGlobal(QPoint(0, 0)), bar.size());
+    for (const QRect& control : before) EXPECT_FALSE(told.intersects(control)) << size.width();
+    EXPECT_FALSE(bar.visibleRegion().isEmpty()) << size.width();
+    EXPECT_EQ(bar.visibleRegion().boundingRect(), bar.rect()) << "all of it is seen, " << size.width();
+    bar.findChild<QToolButton*>()->click();
+    turn();
+    EXPECT_FALSE(bar.isVisible());
+  }
+}
+
 TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {
   window().selection().select(Selection::joint(joints::Head));
   press(Qt::Key_X);
