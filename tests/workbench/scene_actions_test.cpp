@@ -273,7 +273,7 @@ TEST_F(SceneKeys, BackquoteGoesToTheOtherCharacterAndEscapeToNothing) {
   EXPECT_EQ(selection(), Selection());
 }
 
-TEST_F(SceneKeys, EscapeClosesTheFilterAndKeepsTheSelection) {
+TEST_F(SceneKeys, TheFilterCoversNoPairAndEscapeClosesItAndKeepsTheSelection) {
   press(Qt::Key_QuoteLeft);
   QToolButton* filter = nullptr;
   for (QToolButton* button : scene().findChildren<QToolButton*>())
@@ -286,6 +286,9 @@ TEST_F(SceneKeys, EscapeClosesTheFilterAndKeepsTheSelection) {
   const QWidget* legend = scene().findChild<widgets::ScalarLegend*>();
   const QRect shown(popup->mapToGlobal({0, 0}), popup->size());
   EXPECT_FALSE(shown.intersects({legend->mapToGlobal({0, 0}), legend->size()}));
+  const int third = scene().width() / 3;
+  const QRect middle(scene().mapToGlobal(QPoint(third, 0)), QSize(third, scene().height()));
+  EXPECT_FALSE(shown.intersects(middle)) << "the pair that is filtered stays in view";
   EXPECT_FALSE(shown.intersects({window().candidates().mapToGlobal({0, 0}), window().candidates().size()}));
   QTest::keyClick(popup, Qt::Key_Escape);
   turn();
