@@ -32,7 +32,7 @@ double least_reach(const PaneSeries& series) {
 }
 
 /// Of a pane on paper.
-QSize curvesOf(QSize place) {
+QSize curves_of(QSize place) {
   return {place.width() - 20, place.height() - head_height - 6};
 }
 
@@ -230,11 +230,11 @@ void PlotPane::draw() {
 }
 
 void PlotPane::readFor(QSize place, const SampleTable& table, const PlotView& view) {
-  read(table, view, curvesOf(place));
+  read(table, view, curves_of(place));
 }
 
 void PlotPane::paintInto(QCPPainter& painter, const QRect& place) {
-  const QSize curves = curvesOf(place.size());
+  const QSize curves = curves_of(place.size());
   lay(curves, true);
   painter.save();
   painter.fillRect(place, m_palette.panel);

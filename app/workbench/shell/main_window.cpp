@@ -39,7 +39,7 @@ namespace {
 constexpr int status_interval_ms = 500;
 constexpr QSize smallest_window(640, 400);  // panels give way before: see plan_panels
 
-void asPanel(QWidget* box) {
+void as_panel(QWidget* box) {
   box->setObjectName("panel");
   box->setAttribute(Qt::WA_StyledBackground);
 }
@@ -92,7 +92,7 @@ MainWindow::~MainWindow() {
 
 QWidget* MainWindow::makeCentre() {
   auto* box = new QWidget(m_panels);
-  asPanel(box);
+  as_panel(box);
   m_messages = new widgets::MessageBar(box);
   Job::tellFailures([to = QPointer(m_messages)](const QString& failure) {
     if (to) to->showError(failure);
@@ -123,7 +123,7 @@ void MainWindow::makePanels() {
 
 QWidget* MainWindow::makeTimeline() {
   auto* box = new QWidget(this);
-  asPanel(box);
+  as_panel(box);
   auto* column = widgets::column_in(box, {}, 0);
   m_transport = new widgets::TransportBar(box);
   m_transport->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

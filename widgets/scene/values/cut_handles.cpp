@@ -30,7 +30,7 @@ double distance_px(const std::optional<PicturePoint>& a, const std::optional<Pic
 }
 
 /// How far what is held follows the pointer, from 0 (the normal faces the eye) to 1, smoothly.
-double following(double share) {
+double share_followed(double share) {
   const double part = std::clamp((share - least_share) / (full_share - least_share), 0.0, 1.0);
   return part * part * (3 - 2 * part);
 }
@@ -92,7 +92,7 @@ double CutHandles::moved_m(double from_x, double from_y, double to_x, double to_
   const double fall = normal.dot((below.from + below.along - from.from - from.along).normalized());
   const double sense = std::abs(fall) > least_fall ? fall : -slope;
   const double vertical_m = std::copysign(1.0, sense) * (to_y - from_y) * pixel_m;
-  const double share = following(std::sqrt(std::max(0.0, 1 - slope * slope)));
+  const double share = share_followed(std::sqrt(std::max(0.0, 1 - slope * slope)));
   return share * followed_m + (1 - share) * vertical_m;
 }
 
