@@ -282,6 +282,29 @@ TEST_F(Plots, TheHeightDoesNotJumpWithWhatComesIn) {
   }
 }
 
+/// The same energies in two panes had two scales and could not be compared.
+TEST_F(Plots, PanesOfOneQuantityHaveOneScale) {
+  panel.resize(930, 400);
+  panel.setArrangement({{Series::DeformationEnergy}, {Series::FootLock}});
+  for (std::uint64_t i = 1200; i < 1230; ++i) {  // a while with much larger ones
+    auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(i, static_cast<double>(i) / 30));
+    frame->result.energy.deformation *= 40;
+    history.append(frame);
+    playback.extend(0, frame->time_s);
+    refresh();
+  }
+  panel.addPane({Series::DeformationEnergy});
+  panel.addPane({Series::ConstraintEnergy});
+  refresh();
+  EXPECT_EQ(panel.pane(2).upperEnd(), panel.pane(0).upperEnd()) << "of the same series";
+  EXPECT_EQ(panel.pane(3).upperEnd(), panel.pane(0).upperEnd()) << "of another energy";
+  EXPECT_NE(panel.pane(1).axis(), panel.pane(0).axis()) << "another quantity has its own scale";
+  panel.removePane(3);
+  ASSERT_TRUE(panel.setShown(0, Series::ConstraintEnergy, true));
+  refresh();
+  EXPECT_EQ(panel.pane(2).upperEnd(), panel.pane(0).upperEnd()) << "also with one series more";
+}
+
 /// Recorded takes are not solved. Their axes said "7.5·10⁻⁷".
 TEST(PlotPane, WhereAllIsZeroTheAxisHasNumbersThatCanBeRead) {
   PlotPane pane(nullptr);
@@ -292,7 +315,8 @@ TEST(PlotPane, WhereAllIsZeroTheAxisHasNumbersThatCanBeRead) {
   for (const Series series :
        {Series::DeformationEnergy, Series::FootLock, Series::TotalCost, Series::BoneLength}) {
     pane.setSeries({series});
-    pane.draw(table, view);
+    pane.read(table, view);
+    pane.draw();
     EXPECT_EQ(pane.upperEnd(), 1) << info_of(series).name;
   }
 }

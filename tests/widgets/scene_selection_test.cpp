@@ -10,6 +10,7 @@
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/panel/scene_overlay.hpp"
 #include "widgets/scene/pick/part_table_view.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -106,6 +107,27 @@ TEST(SceneView, SelectsTheJointThatIsClickedAndKeepsItInOtherFrames) {
   QTest::mouseClick(scene.surface(), Qt::LeftButton, {}, {8, 300});
   EXPECT_EQ(scene.view.selection(), Selection()) << "a click beside everything";
   EXPECT_FALSE(card->isVisible());
+}
+
+/// The card of the selection lay over the words about the frame at the lower left.
+TEST(SceneView, KeepsItsCardsOffTheWordsAboutTheFrame) {
+  Scene scene({ScenePart::Joints});
+  const auto* facts = scene.view.findChild<FrameFacts*>();
+  const auto* selected = scene.view.findChild<QWidget*>("selected");
+  const auto* hovered = scene.view.findChild<QWidget*>("hovered");
+  scene.model.select(Selection::joint(joints::Head));
+  for (const QSize size : {QSize(320, 220), QSize(330, 500), QSize(640, 480), QSize(1100, 300)}) {
+    scene.view.resize(size);
+    picture_of(scene.view);
+    ASSERT_TRUE(selected->isVisible());
+    EXPECT_FALSE(selected->geometry().intersects(facts->geometry())) << size.width() << "x" << size.height();
+    EXPECT_GE(selected->y(), 0) << size.height();
+    const QPoint foot = place_of(scene.view, synthetic_frame(3, 0.05), joints::left_toe_tip);
+    QMouseEvent move(QEvent::MouseMove, foot, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(scene.view.childAt(scene.view.rect().center()), &move);
+    EXPECT_FALSE(hovered->isVisible() && hovered->geometry().intersects(facts->geometry())) << size.height();
+  }
+  EXPECT_TRUE(hovered->isVisible()) << "the last size shows the foot";
 }
 
 TEST(SceneView, AddsWithShiftAndTogglesWithCtrl) {

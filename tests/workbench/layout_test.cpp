@@ -318,6 +318,33 @@ TEST_F(Layout, ASmallWindowHidesPanelsWithoutForgettingThem) {
   EXPECT_TRUE(panel("plots").isVisible());
 }
 
+/// Shown for a look and hidden again in a small window, they stayed hidden in a large one, and the other way
+/// round.
+TEST_F(Layout, PanelsThatWereShownAndHiddenAgainFollowTheSizeOfTheWindow) {
+  window().resize(640, 400);
+  QTest::qWait(20);
+  for (const Qt::Key key : {Qt::Key_F8, Qt::Key_F8, Qt::Key_F9, Qt::Key_F9}) QTest::keyClick(&window(), key);
+  ASSERT_FALSE(panel("scene").isVisible());
+  ASSERT_FALSE(panel("settings").isVisible());
+  window().resize(1600, 1000);
+  QTest::qWait(20);
+  EXPECT_TRUE(panel("scene").isVisible());
+  EXPECT_TRUE(panel("settings").isVisible());
+  for (const Qt::Key key : {Qt::Key_F8, Qt::Key_F8}) QTest::keyClick(&window(), key);
+  ASSERT_TRUE(panel("scene").isVisible());
+  window().resize(640, 400);
+  QTest::qWait(20);
+  EXPECT_FALSE(panel("scene").isVisible());
+  window().resize(1600, 1000);
+  QTest::qWait(20);
+  QTest::keyClick(&window(), Qt::Key_F8);
+  window().resize(640, 400);
+  QTest::qWait(20);
+  window().resize(1600, 1000);
+  QTest::qWait(20);
+  EXPECT_FALSE(panel("scene").isVisible()) << "hidden where they have room: a wish";
+}
+
 /// A person drags the border between two panels, or between panels and scene.
 void drag(QWidget& area, QPoint from, QPoint by) {
   QTest::mousePress(&area, Qt::LeftButton, {}, from);

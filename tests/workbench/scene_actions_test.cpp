@@ -68,7 +68,7 @@ TEST_F(SceneKeys, SwitchPartsAndWaysOfShowing) {
   EXPECT_TRUE(scene().options().cut_in_world);
   const double azimuth = scene().options().cut_azimuth_rad;
   press(Qt::Key_Right, Qt::AltModifier);
-  EXPECT_GT(scene().options().cut_azimuth_rad, azimuth);
+  EXPECT_GT(std::remainder(scene().options().cut_azimuth_rad - azimuth, 6.283185307), 0);
   press(Qt::Key_Up, Qt::AltModifier);
   EXPECT_GT(scene().options().cut_elevation_rad, 0);
   press(Qt::Key_PageUp, Qt::AltModifier);
@@ -77,14 +77,13 @@ TEST_F(SceneKeys, SwitchPartsAndWaysOfShowing) {
   EXPECT_TRUE(scene().options().shows_reference_beside);
 }
 
-/// The plane of the world with its handles, which face aside.
+/// A new plane of the world with its handles.
 class CuttingPlane : public SceneKeys {
  protected:
   void SetUp() override {
     SceneKeys::SetUp();
     press(Qt::Key_C);
     press(Qt::Key_C, Qt::ShiftModifier);
-    for (int step = 0; step < 8; ++step) press(Qt::Key_Left, Qt::AltModifier);
     window().undoStack().clear();
     m_before = scene().options();
   }
@@ -129,6 +128,34 @@ TEST_F(CuttingPlane, IsDraggedAlongItsNormalByItsShaftAndUndoTakesItBack) {
   EXPECT_TRUE(scene().options().has_cut_of(m_before));
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_GT(scene().options().cut_m, m_before.cut_m + 0.05);
+}
+
+TEST_F(CuttingPlane, StandsUprightAndTurnedFromTheEyeWhenItIsNew) {
+  const widgets::CutPlane plane = m_before.plane();
+  const Vec3 to_eye = (scene().camera().position() - scene().camera().focus()).normalized();
+  EXPECT_NEAR(plane.normal.y(), 0, 1e-9);
+  EXPECT_LT(plane.normal.dot(to_eye), std::cos(0.5236)) << "by 30 degrees or more";
+  EXPECT_GT(plane.normal.dot(to_eye), 0) << "it takes away what is nearer";
+}
+
+/// Its outline ran away from the pointer, by metres for some pixels.
+TEST_F(CuttingPlane, IsMovedFinelyByItsOutlineWhereItFacesTheEye) {
+  widgets::SceneOptions facing = m_before;
+  facing.cut_azimuth_rad = scene().camera().azimuth_rad;
+  facing.cut_elevation_rad = scene().camera().elevation_rad;
+  scene().setOptions(facing);
+  const widgets::CutHandles shown = handles();
+  const double pixel_m =
+      1 / widgets::PictureProjection(scene().camera(), surface().width(), surface().height())
+              .pixels_per_metre(shown.middle->depth_m);
+  const QPointF lower_edge(0.5 * (shown.outline[0]->x + shown.outline[1]->x),
+                           0.5 * (shown.outline[0]->y + shown.outline[1]->y));
+  const QPointF to = lower_edge + QPointF(0, 20);
+  take(lower_edge, to);
+  letGo(to);
+  const double moved_m = scene().options().cut_m - facing.cut_m;
+  EXPECT_GT(moved_m, 0.5 * 20 * pixel_m) << "downwards is nearer";
+  EXPECT_LT(moved_m, 2.1 * 20 * pixel_m);
 }
 
 TEST_F(CuttingPlane, IsTurnedByItsKnobAboutItsMiddle) {
@@ -246,7 +273,7 @@ TEST_F(SceneKeys, BackquoteGoesToTheOtherCharacterAndEscapeToNothing) {
   EXPECT_EQ(selection(), Selection());
 }
 
-TEST_F(SceneKeys, EscapeClosesTheFilterAndKeepsTheSelection) {
+TEST_F(SceneKeys, TheFilterCoversNoPairAndEscapeClosesItAndKeepsTheSelection) {
   press(Qt::Key_QuoteLeft);
   QToolButton* filter = nullptr;
   for (QToolButton* button : scene().findChildren<QToolButton*>())
@@ -259,11 +286,45 @@ TEST_F(SceneKeys, EscapeClosesTheFilterAndKeepsTheSelection) {
   const QWidget* legend = scene().findChild<widgets::ScalarLegend*>();
   const QRect shown(popup->mapToGlobal({0, 0}), popup->size());
   EXPECT_FALSE(shown.intersects({legend->mapToGlobal({0, 0}), legend->size()}));
+  const int third = scene().width() / 3;
+  const QRect middle(scene().mapToGlobal(QPoint(third, 0)), QSize(third, scene().height()));
+  EXPECT_FALSE(shown.intersects(middle)) << "the pair that is filtered stays in view";
   EXPECT_FALSE(shown.intersects({window().candidates().mapToGlobal({0, 0}), window().candidates().size()}));
   QTest::keyClick(popup, Qt::Key_Escape);
   turn();
   EXPECT_FALSE(popup->isVisible());
   EXPECT_EQ(selection(), Selection::joint(0));
+}
+
+/// A message pushed the scene down: a click on a button landed on another one.
+TEST_F(SceneKeys, AMessageMovesNoButtonOfTheSceneAndCoversNone) {
+  const auto controls = [] {
+    std::vector<QRect> found;
+    for (QToolButton* chip : scene().findChildren<QToolButton*>("chip"))
+      if (chip->isVisible()) found.emplace_back(chip->mapToGlobal(QPoint(0, 0)), chip->size());
+    for (QWidget* legend : scene().findChildren<widgets::ScalarLegend*>())
+      if (legend->isVisible()) found.emplace_back(legend->mapToGlobal(QPoint(0, 0)), legend->size());
+    return found;
+  };
+  widgets::MessageBar& bar = window().messages();
+  for (const QSize size : {QSize(640, 400), QSize(900, 600), QSize(1280, 720)}) {
+    window().resize(size);
+    turn();
+    const std::vector<QRect> before = controls();
+    const QRect of_scene = scene().geometry();
+    bar.showError("take.bvh: " + QString("a joint is missing. ").repeated(4));
+    turn();
+    ASSERT_TRUE(bar.isVisible());
+    EXPECT_EQ(scene().geometry(), of_scene) << size.width();
+    EXPECT_EQ(controls(), before) << size.width();
+    const QRect told(bar.mapToGlobal(QPoint(0, 0)), bar.size());
+    for (const QRect& control : before) EXPECT_FALSE(told.intersects(control)) << size.width();
+    EXPECT_FALSE(bar.visibleRegion().isEmpty()) << size.width();
+    EXPECT_EQ(bar.visibleRegion().boundingRect(), bar.rect()) << "all of it is seen, " << size.width();
+    bar.findChild<QToolButton*>()->click();
+    turn();
+    EXPECT_FALSE(bar.isVisible());
+  }
 }
 
 TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {

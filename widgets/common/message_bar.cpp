@@ -14,7 +14,7 @@ namespace {
 constexpr int information_ms = 6000, warnings_ms = 15000;
 constexpr int most_in_tip = 20;
 constexpr std::size_t most_errors = 20;
-constexpr int longest_text = 320;  // more would push the scene out of the window; the tool tip has the rest
+constexpr int longest_text = 320;  // more would cover the scene; the tool tip has the rest
 
 }  // namespace
 
@@ -149,6 +149,8 @@ void MessageBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(
       rect(), m_kind == MessageKind::Error ? mixed(m_palette.live, m_palette.panel, 0.22) : m_palette.raised);
+  painter.setPen(m_palette.border);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
   if (m_kind == MessageKind::Progress)
     painter.fillRect(QRectF(0, height() - 2, width() * m_fraction, 2), m_palette.accent.lighter(130));
 }

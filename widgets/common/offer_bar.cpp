@@ -67,7 +67,10 @@ QString OfferBar::text() const {
 }
 
 void OfferBar::paintEvent(QPaintEvent*) {
-  QPainter(this).fillRect(rect(), m_palette.raised);
+  QPainter painter(this);
+  painter.fillRect(rect(), m_palette.raised);
+  painter.setPen(m_palette.border);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 }  // namespace abrazo::widgets

@@ -42,6 +42,12 @@ bool can_join(const PaneSeries& pane, Series series) {
   return pane.empty() || info_of(pane.front()).unit == info_of(series).unit;
 }
 
+bool share_scale(const PaneSeries& a, const PaneSeries& b) {
+  if (a.empty() || b.empty()) return false;
+  const SeriesInfo &first = info_of(a.front()), &second = info_of(b.front());
+  return first.group == second.group && first.unit == second.unit;
+}
+
 std::string why_not(const PaneSeries& pane, Series series) {
   if (can_join(pane, series)) return {};
   const SeriesInfo& wanted = info_of(series);

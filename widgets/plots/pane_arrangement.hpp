@@ -20,6 +20,9 @@ PaneArrangement default_arrangement();
 /// A pane accepts series of its unit; an empty one accepts any.
 bool can_join(const PaneSeries& pane, Series series);
 
+/// Whether two panes show the same quantity: they have one scale, so that their curves can be compared.
+bool share_scale(const PaneSeries& a, const PaneSeries& b);
+
 /// Why not, and what to do instead; empty if it can join.
 std::string why_not(const PaneSeries& pane, Series series);
 

@@ -24,13 +24,16 @@ constexpr int labelled_height = 84;  // minimum height of the curves for time la
 constexpr double zoom_step = 0.85;
 constexpr double pan_step = 0.2;  // of the span
 
-constexpr double nothing = 1e-6;  // in any unit: below it is what rounding leaves
-
 /// A value below what matters must not look large: the axis reaches at least this far.
 double least_reach(const PaneSeries& series) {
   if (series.empty()) return 1;
   const std::string_view unit = info_of(series.front()).unit;
-  return unit == "mm" ? 0.5 : unit == "%" ? 0.01 : unit == "ms" ? 0.01 : unit == "per 100" ? 1 : nothing;
+  return unit == "mm" ? 0.5 : unit == "%" ? 0.01 : unit == "ms" ? 0.01 : unit == "per 100" ? 1 : 0;
+}
+
+/// Of a pane on paper.
+QSize curves_of(QSize place) {
+  return {place.width() - 20, place.height() - head_height - 6};
 }
 
 }  // namespace
@@ -90,7 +93,7 @@ void PlotPane::setSeries(PaneSeries series) {
   m_lines.clear();
   m_plot->clearGraphs();
   for (int g = 0; g < 2 * seriesCount(); ++g) m_plot->addGraph();  // curves, then the marks of their cuts
-  forgetRange();
+  m_axis = std::make_shared<ValueAxis>();
   const QString title = m_title.empty() ? text(title_of(m_series)) : text(m_title);
   QString about;
   for (const Series one : m_series) {
@@ -143,37 +146,31 @@ void PlotPane::showValues(const SeriesValues* values) {
   update(0, 0, width(), head_height);
 }
 
-void PlotPane::forgetRange() {
-  m_upper.reset();
-  m_lower.reset();
-}
-
 double PlotPane::upperEnd() const {
   return m_plot->yAxis->range().upper;
 }
 
-/// The scale shrinks only after values were smaller for a while, so that the numbers stay readable.
-void PlotPane::fitHeight(const PlotView& view) {
+void PlotPane::read(const SampleTable& table, const PlotView& view, QSize curves) {
+  constexpr int margins = 40, fewest_columns = 50;
+  m_view = view;
+  m_lines.clear();
+  const int columns = std::max(fewest_columns, curves.width() - margins);
   double upper = 0, lower = 0;
-  for (const auto& line : m_lines) {
+  for (const Series series : m_series) {
+    m_lines.push_back(table.line(series, view.from_s, view.to_s, columns));
     std::vector<double> above, below;
-    for (const SampleTable::Point& point : line) {
+    for (const SampleTable::Point& point : m_lines.back()) {
       if (point.time_s < view.from_s || point.time_s > view.to_s) continue;
       (point.value < 0 ? below : above).push_back(std::abs(point.value));
     }
     upper = std::max(upper, robust_upper(std::move(above)));
     lower = std::max(lower, robust_upper(std::move(below)));
   }
-  m_upper.show(upper, view.to_s);
-  m_lower.show(lower, view.to_s);
-  // A recorded take is not solved, all its costs are 0: an axis to 1 has numbers that can be read.
-  const bool is_flat = m_upper.upper() < nothing && lower < nothing;
-  m_plot->yAxis->setRange(lower > 0 ? -m_lower.upper() : 0,
-                          is_flat ? 1 : std::max(m_upper.upper(), least_reach(m_series)));
+  m_axis->include(upper, lower, least_reach(m_series));
 }
 
 /// The curves, and one mark for each run of values above the plot.
-void PlotPane::fillGraphs(const PlotView& view, bool within_border) {
+void PlotPane::fillGraphs(bool within_border) {
   const QCPRange range = m_plot->yAxis->range();
   for (int c = 0; c < seriesCount(); ++c) {
     QVector<QCPGraphData> curve;
@@ -181,7 +178,7 @@ void PlotPane::fillGraphs(const PlotView& view, bool within_border) {
     marks->clear();
     bool above = false;
     for (const SampleTable::Point& point : m_lines[static_cast<std::size_t>(c)]) {
-      const bool outside = point.time_s < view.from_s || point.time_s > view.to_s;
+      const bool outside = point.time_s < m_view.from_s || point.time_s > m_view.to_s;
       if (outside && within_border) continue;
       const double value = within_border && std::isfinite(point.value)
                                ? std::clamp(point.value, range.lower, range.upper)
@@ -206,36 +203,39 @@ void PlotPane::showTimes(QSize curves) {
   m_plot->axisRect()->setMargins({38, 2, 2, room ? 18 : 4});
 }
 
-/// Gives the plot all that it shows, for curves of some size on the screen or on paper.
-void PlotPane::lay(const SampleTable& table, const PlotView& view, QSize curves, bool within_border) {
-  constexpr int margins = 40, fewest_columns = 50;
-  m_view = view;
-  m_lines.clear();
-  const int columns = std::max(fewest_columns, curves.width() - margins);
-  for (const Series series : m_series) m_lines.push_back(table.line(series, view.from_s, view.to_s, columns));
-  fitHeight(view);
-  fillGraphs(view, within_border);
-  m_plot->xAxis->setRange(view.from_s, view.to_s);
+/// Gives the plot all that was read, for curves of some size on the screen or on paper.
+void PlotPane::lay(QSize curves, bool within_border) {
+  m_axis->settle(m_view.to_s);
+  m_plot->yAxis->setRange(m_axis->lower(), m_axis->upper());
+  fillGraphs(within_border);
+  m_plot->xAxis->setRange(m_view.from_s, m_view.to_s);
   showTimes(curves);
-  m_cursor->start->setCoords(view.cursor_s, 0);
-  m_cursor->end->setCoords(view.cursor_s, 1);
-  m_cursor->setVisible(view.from_s <= view.cursor_s && view.cursor_s <= view.to_s);
-  m_pointer->setVisible(view.pointer_s.has_value());
-  m_pointer->start->setCoords(view.pointer_s.value_or(0), 0);
-  m_pointer->end->setCoords(view.pointer_s.value_or(0), 1);
+  m_cursor->start->setCoords(m_view.cursor_s, 0);
+  m_cursor->end->setCoords(m_view.cursor_s, 1);
+  m_cursor->setVisible(m_view.from_s <= m_view.cursor_s && m_view.cursor_s <= m_view.to_s);
+  m_pointer->setVisible(m_view.pointer_s.has_value());
+  m_pointer->start->setCoords(m_view.pointer_s.value_or(0), 0);
+  m_pointer->end->setCoords(m_view.pointer_s.value_or(0), 1);
 }
 
-void PlotPane::draw(const SampleTable& table, const PlotView& view) {
+void PlotPane::read(const SampleTable& table, const PlotView& view) {
   m_view = view;
+  if (!m_collapsed) read(table, view, m_plot->size());
+}
+
+void PlotPane::draw() {
   if (m_collapsed) return;
-  lay(table, view, m_plot->size(), false);
+  lay(m_plot->size(), false);
   m_plot->replot(QCustomPlot::rpQueuedRefresh);
 }
 
-void PlotPane::paintInto(QCPPainter& painter, const QRect& place, const SampleTable& table,
-                         const PlotView& view) {
-  const QSize curves(place.width() - 20, place.height() - head_height - 6);
-  lay(table, view, curves, true);
+void PlotPane::readFor(QSize place, const SampleTable& table, const PlotView& view) {
+  read(table, view, curves_of(place));
+}
+
+void PlotPane::paintInto(QCPPainter& painter, const QRect& place) {
+  const QSize curves = curves_of(place.size());
+  lay(curves, true);
   painter.save();
   painter.fillRect(place, m_palette.panel);
   painter.translate(place.left(), place.top());

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <optional>
 
 #include "widgets/common/palette.hpp"
-#include "widgets/common/value_range.hpp"
 #include "widgets/plots/pane_arrangement.hpp"
 #include "widgets/plots/plot_head.hpp"
 #include "widgets/plots/sample_table.hpp"
+#include "widgets/plots/value_axis.hpp"
 
 class QCPItemLine;
 class QCPPainter;
@@ -45,13 +46,21 @@ class PlotPane : public QWidget {
   /// Values in the header; null shows none.
   void showValues(const SeriesValues* values);
   const std::optional<SeriesValues>& shownValues() const { return m_values; }
-  void draw(const SampleTable& table, const PlotView& view);
-  void forgetRange();
+  /// One for all panes of a quantity; other series begin with a new one.
+  void setAxis(std::shared_ptr<ValueAxis> axis) { m_axis = std::move(axis); }
+  const std::shared_ptr<ValueAxis>& axis() const { return m_axis; }
+  /// Reads the curves and tells the axis what they need. Panes that share an axis are all read before one is
+  /// drawn.
+  void read(const SampleTable& table, const PlotView& view);
+  /// Draws what was read.
+  void draw();
   double xOf(double time_s) const;
   double upperEnd() const;
-  /// Paints the pane into a rectangle of a picture or file, even if it has no room on the screen. Curves end
-  /// at the border even if the painter cannot clip. `draw` restores the screen's state.
-  void paintInto(QCPPainter& painter, const QRect& place, const SampleTable& table, const PlotView& view);
+  /// As `read`, for a pane of this size in a picture or file, even if it has no room on the screen.
+  void readFor(QSize place, const SampleTable& table, const PlotView& view);
+  /// Paints what was read into a rectangle of the picture or file. Curves end at the border even if the
+  /// painter cannot clip. `read` and `draw` restore the screen's state.
+  void paintInto(QCPPainter& painter, const QRect& place);
 
  signals:
   void seekRequested(double time_s);
@@ -79,9 +88,9 @@ class PlotPane : public QWidget {
   void move(const QMouseEvent& event);
   void release(const QMouseEvent& event);
   void wheel(const QWheelEvent& event);
-  void fitHeight(const PlotView& view);
-  void fillGraphs(const PlotView& view, bool within_border);
-  void lay(const SampleTable& table, const PlotView& view, QSize curves, bool within_border);
+  void read(const SampleTable& table, const PlotView& view, QSize curves);
+  void fillGraphs(bool within_border);
+  void lay(QSize curves, bool within_border);
   void showTimes(QSize curves);
   double timeAt(int x) const;
   bool isAtCursor(int x) const;
@@ -96,7 +105,7 @@ class PlotPane : public QWidget {
   QCustomPlot* m_plot;
   QCPItemLine *m_cursor, *m_pointer;
   QToolButton* m_menu;
-  SteadyRange m_upper, m_lower;
+  std::shared_ptr<ValueAxis> m_axis = std::make_shared<ValueAxis>();
   PlotMark m_mark = PlotMark::None;
   bool m_collapsed = false;
   Drag m_drag = Drag::None;

@@ -129,7 +129,7 @@ void PlotPanel::clear() {
   m_parts->read_again.first = Parts::no_frame;
   m_parts->playback = {};
   m_parts->window.attach();
-  for (PlotPane* pane : m_parts->panes) pane->forgetRange();
+  for (PlotPane* pane : m_parts->panes) pane->axis()->forget();
 }
 
 PaneArrangement PlotPanel::arrangement() const {
@@ -160,6 +160,11 @@ void PlotPanel::setArrangement(const PaneArrangement& arranged) {
   while (panes.size() < wanted.size()) panes.push_back(makePane());
   for (std::size_t p = 0; p < wanted.size(); ++p)
     if (panes[p]->series() != wanted[p]) panes[p]->setSeries(wanted[p]);
+  for (PlotPane* pane : panes) {
+    const auto first = std::ranges::find_if(
+        panes, [pane](const PlotPane* other) { return share_scale(other->series(), pane->series()); });
+    if (first != panes.end()) pane->setAxis((*first)->axis());
+  }
   for (PlotPane* pane : panes) pane->setTitle({});
   if (selectionPane() >= 0) panes.back()->setTitle(panel_title(m_parts->selection, m_parts->selected));
   arrangePanes();
@@ -350,8 +355,10 @@ void PlotPanel::draw() {
                   : p.window.follows()   ? PlotMark::Following
                   : live                 ? PlotMark::Detached
                                          : PlotMark::None);
-    if (pane->isVisibleTo(this)) pane->draw(p.table, view);
+    if (pane->isVisibleTo(this)) pane->read(p.table, view);
   }
+  for (PlotPane* pane : p.panes)
+    if (pane->isVisibleTo(this)) pane->draw();
 }
 
 void PlotPanel::showReadout(double time_s, const QPoint& global, QWidget* pane) {

@@ -35,12 +35,15 @@ void paint_all(QCPPainter& painter, const PlotSheet& sheet) {
   const auto corner = [&](int column, int row) {
     return QPoint(size.width() * column / columns, size.height() * row / rows);
   };
+  const auto place = [&](int pane) {
+    const int column = pane % columns, row = pane / columns;
+    return QRect(corner(column, row), corner(column + 1, row + 1) - QPoint(1, 1));
+  };
   painter.fillRect(QRect(QPoint(0, 0), size), sheet.ground);
-  for (int p = 0; p < pane_count(sheet); ++p) {
-    const int column = p % columns, row = p / columns;
-    const QRect place(corner(column, row), corner(column + 1, row + 1) - QPoint(1, 1));
-    sheet.panes[static_cast<std::size_t>(p)]->paintInto(painter, place, sheet.table, sheet.view);
-  }
+  for (int p = 0; p < pane_count(sheet); ++p)
+    sheet.panes[static_cast<std::size_t>(p)]->readFor(place(p).size(), sheet.table, sheet.view);
+  for (int p = 0; p < pane_count(sheet); ++p)
+    sheet.panes[static_cast<std::size_t>(p)]->paintInto(painter, place(p));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@
 #include "widgets/common/theme.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/panel/notice_column.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -38,11 +39,9 @@ namespace {
 constexpr int status_interval_ms = 500;
 constexpr QSize smallest_window(640, 400);  // panels give way before: see plan_panels
 
-QVBoxLayout* columnIn(QWidget* box) {
-  auto* column = widgets::column_in(box, {}, 0);
+void as_panel(QWidget* box) {
   box->setObjectName("panel");
   box->setAttribute(Qt::WA_StyledBackground);
-  return column;
 }
 
 QWidget* ruled(QWidget* parent) {
@@ -93,17 +92,19 @@ MainWindow::~MainWindow() {
 
 QWidget* MainWindow::makeCentre() {
   auto* box = new QWidget(m_panels);
-  m_column = columnIn(box);
+  as_panel(box);
   m_messages = new widgets::MessageBar(box);
   Job::tellFailures([to = QPointer(m_messages)](const QString& failure) {
     if (to) to->showError(failure);
   });
   m_selection = new widgets::SelectionModel(this);
   m_scene = new widgets::SceneView(box);
-  m_column->addWidget(m_messages);
-  m_sceneRow = new QHBoxLayout;
+  m_sceneRow = widgets::row_in(box, {}, 0);
   m_sceneRow->addWidget(m_scene, 1);
-  m_column->addLayout(m_sceneRow, 1);
+  m_notices = new widgets::NoticeColumn(box);
+  m_notices->add(m_messages);
+  connect(m_scene, &widgets::SceneView::arranged, m_notices,
+          [this] { m_notices->setRoom(m_scene->noticeRoom().translated(m_scene->pos())); });
   return box;
 }
 
@@ -122,7 +123,8 @@ void MainWindow::makePanels() {
 
 QWidget* MainWindow::makeTimeline() {
   auto* box = new QWidget(this);
-  auto* column = columnIn(box);
+  as_panel(box);
+  auto* column = widgets::column_in(box, {}, 0);
   m_transport = new widgets::TransportBar(box);
   m_transport->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_timeline = new widgets::TimelineView(box);
@@ -146,6 +148,10 @@ QDockWidget* MainWindow::addPanel(const QString& id, const QString& title, QWidg
   m_panelMenu->addAction(action);
   addAction(action);
   return panel;
+}
+
+void MainWindow::addBelowMessages(QWidget* bar) {
+  m_notices->add(bar);
 }
 
 void MainWindow::addBesideScene(QWidget* page) {

@@ -2,7 +2,6 @@
 
 #include <QMainWindow>
 #include <QTimer>
-#include <QVBoxLayout>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +20,7 @@ class QMenu;
 namespace abrazo::widgets {
 class CandidateTable;
 class MessageBar;
+class NoticeColumn;
 class PlotPanel;
 class SceneTree;
 class SceneView;
@@ -88,9 +88,9 @@ class MainWindow : public QMainWindow {
   void showLeft(bool on);
   void showRight(bool on);
 
-  /// A bar above the scene.
-  void addBelowMessages(QWidget* bar) { m_column->insertWidget(1, bar); }
-  /// Between the message bar and the timeline, left of the scene.
+  /// A bar over the scene, below its buttons.
+  void addBelowMessages(QWidget* bar);
+  /// Left of the scene.
   void addBesideScene(QWidget* page);
   QWidget* besideScene() const { return m_besideScene; }  ///< may be null
   WindowLayout layoutOfPanels() const;
@@ -171,7 +171,7 @@ class MainWindow : public QMainWindow {
   StatusFigures* m_status = nullptr;
   WorkSplit* m_split = nullptr;
   PanelArea* m_panels = nullptr;
-  QVBoxLayout* m_column = nullptr;
+  widgets::NoticeColumn* m_notices = nullptr;
   QHBoxLayout* m_sceneRow = nullptr;
   QWidget* m_besideScene = nullptr;
   QMenu* m_panelMenu = nullptr;

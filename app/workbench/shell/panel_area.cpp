@@ -141,7 +141,13 @@ void PanelArea::wantSide(Qt::DockWidgetArea side, bool on) {
   std::optional<bool>& wish = side == Qt::LeftDockWidgetArea    ? m_wishes.left
                               : side == Qt::RightDockWidgetArea ? m_wishes.right
                                                                 : m_wishes.plots;
-  wish = on;
+  wish.reset();
+  const PanelPlan usual = plan_panels(m_window, m_wishes, m_beside);
+  const bool usually = side == Qt::LeftDockWidgetArea    ? usual.left
+                       : side == Qt::RightDockWidgetArea ? usual.right
+                                                         : usual.plots;
+  // What the size decides anyway is no wish: in another size the panels come and go by themselves again.
+  if (on != usually) wish = on;
   const auto is_there = [&](const Panel& panel) { return dockWidgetArea(panel.dock) == side; };
   const auto is_wanted = [&](const Panel& panel) { return is_there(panel) && panel.wanted; };
   if (on && std::ranges::none_of(m_panels, is_wanted))

@@ -27,7 +27,7 @@ QSlider* slider(QWidget* parent, const QString& name, int from, int to) {
   auto* made = new QSlider(Qt::Horizontal, parent);
   made->setRange(from, to);
   made->setAccessibleName(name);
-  made->setMinimumWidth(150);
+  made->setMinimumWidth(110);
   return made;
 }
 

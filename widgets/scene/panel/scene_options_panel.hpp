@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// Pop-up below its button: shown edges, spacing of cells, cutting plane, trails.
+/// Pop-up: shown edges, spacing of cells, cutting plane, trails.
 class SceneOptionsPanel : public QFrame {
   Q_OBJECT
  public:

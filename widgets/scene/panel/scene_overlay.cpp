@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QPainter>
+#include <QScreen>
 #include <QToolButton>
 #include <algorithm>
 
@@ -55,14 +56,22 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
       "Filter…", "Edges by length or of the selection, exploded tetrahedra, cutting plane, trails", this);
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
-  connect(m_filter, &QToolButton::clicked, this, [this] {
-    setOptions(m_shown);  // a click must not leave the chip checked: that indicates an active filter
-    m_options->adjustSize();
-    // Below the chips on the left, over the scene: on the right are the legend and the candidates.
-    m_options->move(mapToGlobal({0, height() + 4}));
-    m_options->show();
-    m_options->setFocus();
-  });
+  connect(m_filter, &QToolButton::clicked, this, &ScalarChips::openFilter);
+}
+
+/// Below the chips, in the left third of the scene and over what is left of it: in the middle is the pair
+/// that is filtered, on the right are the legend and the candidates.
+void ScalarChips::openFilter() {
+  setOptions(m_shown);  // a click must not leave the chip checked: that indicates an active filter
+  m_options->adjustSize();
+  const QWidget& scene = *parentWidget();
+  const QRect desk = screen()->availableGeometry();
+  const QPoint below = mapToGlobal({0, height() + 4});
+  const int third = scene.mapToGlobal({scene.width() / 3, 0}).x();
+  m_options->move(std::max(desk.left(), std::min(below.x(), third - m_options->width())),
+                  std::max(desk.top(), std::min(below.y(), desk.bottom() - m_options->height())));
+  m_options->show();
+  m_options->setFocus();
 }
 
 void ScalarChips::fitInto(int width_px) {

@@ -35,6 +35,7 @@ class ScalarChips : public QWidget {
   void optionsRequested(const abrazo::widgets::SceneOptions& options);
 
  private:
+  void openFilter();
   void say(bool is_short);
   std::vector<std::vector<QToolButton*>> inRows(int width_px) const;
 

@@ -40,7 +40,7 @@ void PickCard::show(const PickText& text) {
   resize(isVisible() ? std::max(width, this->width()) : width,
          line_height * (m_lines.size() + 1) + 2 * margin);
   setVisible(true);
-  raise();  // over the words about the frame, where the picture is narrow
+  raise();  // over the legend, where the picture is low
   update();
 }
 

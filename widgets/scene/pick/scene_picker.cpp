@@ -61,7 +61,7 @@ void ScenePicker::moveCard(const FrameSnapshot& frame) {
   }
   const QPoint pointer = m_place.toPoint();
   const CardPlace at = place_card(pointer.x(), pointer.y(), m_hoveredCard->width(), m_hoveredCard->height(),
-                                  m_parent->width(), m_parent->height(), segments);
+                                  m_parent->width(), m_height, segments);
   m_hoveredCard->move(at.x, at.y);
 }
 
@@ -95,13 +95,18 @@ void ScenePicker::show(const FrameSnapshot& frame) {
   tells ? m_hoveredCard->show(describe(frame, m_hovered, m_library.get())) : m_hoveredCard->hide();
   if (tells) moveCard(frame);
   m_selected ? m_selectedCard->show(describe(frame, m_selected, m_library.get())) : m_selectedCard->hide();
-  arrange();
+  placeSelected();
 }
 
-void ScenePicker::arrange() {
+void ScenePicker::arrange(int height_px) {
+  m_height = height_px;
+  placeSelected();
+}
+
+void ScenePicker::placeSelected() {
   constexpr int margin = 12;
   m_selectedCard->move(m_parent->width() - m_selectedCard->width() - margin,
-                       m_parent->height() - m_selectedCard->height() - margin);
+                       m_height - m_selectedCard->height());
 }
 
 }  // namespace abrazo::widgets

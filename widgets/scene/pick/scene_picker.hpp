@@ -37,13 +37,15 @@ class ScenePicker {
   Selection itemAt(QPointF place, const FrameSnapshot& frame) const;
   /// Updates marks and cards for the frame; an item missing in its mesh is reported, not marked.
   void show(const FrameSnapshot& frame);
-  /// Places the card of the selection at the lower right.
-  void arrange();
+  /// Both cards keep to the upper part of the picture; the one of the selection is at its lower right.
+  /// @param height_px of that part
+  void arrange(int height_px);
 
  private:
   std::span<const double> cornersOf(const Selection& item) const;
   PictureProjection projection() const;
   void moveCard(const FrameSnapshot& frame);
+  void placeSelected();
 
   QWidget* m_parent;
   SceneStage& m_stage;
@@ -54,6 +56,7 @@ class ScenePicker {
   std::shared_ptr<const MotionLibrary> m_library;
   Vec3 m_referenceOffset = Vec3::Zero();
   QPointF m_place{-1e6, -1e6};
+  int m_height = 0;  ///< of the room for cards
 };
 
 }  // namespace abrazo::widgets

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double half_outline_m = 0.9, shaft_m = 0.45;
 constexpr double knob_px = 11, line_px = 6;  ///< within which a handle is held
-/// Share of its length that the normal has in the picture, below which its direction there says nothing.
-constexpr double least_share = 0.2;
+/// Share of its length that the normal has in the picture: below the least its direction there says nothing,
+/// from the full one on a pixel moves the plane by two pixels at most.
+constexpr double least_share = 0.2, full_share = 0.5;
 
 /// The cutting plane hides no handle.
 OrbitCamera uncut(OrbitCamera camera) {
@@ -26,6 +27,12 @@ double distance_px(const std::optional<PicturePoint>& a, const std::optional<Pic
   const Eigen::Vector2d from(a->x, a->y), along(b->x - a->x, b->y - a->y), place(x, y);
   const double share = std::clamp((place - from).dot(along) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
   return (place - from - share * along).norm();
+}
+
+/// How far what is held follows the pointer, from 0 (the normal faces the eye) to 1, smoothly.
+double share_followed(double share) {
+  const double part = std::clamp((share - least_share) / (full_share - least_share), 0.0, 1.0);
+  return part * part * (3 - 2 * part);
 }
 
 }  // namespace
@@ -57,25 +64,36 @@ CutGrip CutHandles::at(double x, double y) const {
   return CutGrip::None;
 }
 
-/// What is held moves along a line through it: where that passes nearest to the pointer's ray, it is.
 double CutHandles::moved_m(double from_x, double from_y, double to_x, double to_y) const {
   if (!middle) return 0;
   const Vec3& normal = plane_.normal;
-  const auto from = projection_.ray(from_x, from_y), to = projection_.ray(to_x, to_y);
+  const auto from = projection_.ray(from_x, from_y), to = projection_.ray(to_x, to_y),
+             below = projection_.ray(from_x, from_y + 1);
   const double slope = normal.dot(from.along);
-  if (1 - slope * slope < least_share * least_share) {
-    const double by_m = (to_y - from_y) / projection_.pixels_per_metre(middle->depth_m);
-    return slope < 0 ? by_m : -by_m;
-  }
   Vec3 held = plane_.point;  // on the shaft; else on the outline, in the plane
   if (distance_px(middle, knob, from_x, from_y) > line_px && std::abs(slope) > least_share)
     held = from.from + (plane_.point - from.from).dot(normal) / slope * from.along;
+  const auto shown = projection_.project(held);
+  const double pixel_m = 1 / projection_.pixels_per_metre(shown ? shown->depth_m : middle->depth_m);
+
+  // What is held moves along a line through it: where that passes nearest to the pointer's ray, it is.
+  // Towards the vanishing point of that line it would run away from the hand.
   const auto nearest_m = [&](const PictureProjection::Ray& ray) {
     const double along = normal.dot(ray.along);
     const Vec3 offset = ray.from - held;
-    return (normal.dot(offset) - along * ray.along.dot(offset)) / (1 - along * along);
+    return (normal.dot(offset) - along * ray.along.dot(offset)) / std::max(1 - along * along, 1e-9);
   };
-  return nearest_m(to) - nearest_m(from);
+  const double most_m = std::hypot(to_x - from_x, to_y - from_y) * pixel_m / full_share;
+  const double followed_m = std::clamp(nearest_m(to) - nearest_m(from), -most_m, most_m);
+
+  // The vertical part of the drag has the sense in which what is held moves in the picture, so that both ways
+  // never cancel; where it moves neither up nor down, downwards is nearer to the eye.
+  constexpr double least_fall = 0.1;
+  const double fall = normal.dot((below.from + below.along - from.from - from.along).normalized());
+  const double sense = std::abs(fall) > least_fall ? fall : -slope;
+  const double vertical_m = std::copysign(1.0, sense) * (to_y - from_y) * pixel_m;
+  const double share = share_followed(std::sqrt(std::max(0.0, 1 - slope * slope)));
+  return share * followed_m + (1 - share) * vertical_m;
 }
 
 Vec3 CutHandles::turned(double x, double y) const {

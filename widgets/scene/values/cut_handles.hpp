@@ -22,8 +22,9 @@ class CutHandles {
   CutHandles(const CutPlane& plane, const OrbitCamera& camera, double width_px, double height_px);
 
   CutGrip at(double x, double y) const;
-  /// How far along the normal a drag moves the plane [m]. If the normal points to the eye or away from it, a
-  /// drag downwards pulls the plane nearer to the eye.
+  /// How far along the normal a drag moves the plane [m]: what is held follows the pointer. The more the
+  /// normal points to the eye or away from it, the more the vertical part of the drag counts instead, by the
+  /// size of a pixel at what is held. A pixel never moves the plane by more than two such sizes.
   double moved_m(double from_x, double from_y, double to_x, double to_y) const;
   /// The unit normal that has the knob at this place; beyond the knob's sphere the nearest.
   Vec3 turned(double x, double y) const;

@@ -299,9 +299,10 @@ void SceneView::setOptions(const SceneOptions& wanted) {
   SceneOptions placed = wanted;
   // The plane of a cut that is off would wait unseen.
   if (wanted.cut_in_world && !p.options.cut_in_world) placed.cuts = true;
-  if (wanted.cut_in_world && !p.options.cut_in_world && p.shown) {  // where that of the eye would be, upright
-    placed.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
-    placed.cut_azimuth_rad = p.camera.azimuth_rad;
+  if (wanted.cut_in_world && !p.options.cut_in_world && p.shown) {
+    const Vec3 one = p.shown->result.result.row(0), other = p.shown->result.result.row(joint_count);
+    placed.cut_at = 0.5 * (one + other);
+    placed.cut_azimuth_rad = new_cut_azimuth(p.camera.azimuth_rad, other - one);
     placed.cut_elevation_rad = 0;
   }
   applyOptions(placed);
@@ -377,8 +378,21 @@ void SceneView::arrange() {
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
   p.makeRoom(narrow && 5 * legend_x < 3 * width());  // else the legend is beside the pair
   p.morph->adjustSize();
-  p.morph->move(12, p.facts->y() - p.morph->height() + 12);
-  p.picker.arrange();
+  p.morph->move(12, p.facts->y() - p.morph->height());
+  p.picker.arrange(p.facts->y());
+  emit arranged();
+}
+
+/// Below the chips and beside the legend, or below that too: bars there cover no button.
+QRect SceneView::noticeRoom() const {
+  constexpr int least_width = 320, gap = 6;
+  const Parts& p = *m_parts;
+  const ScalarLegend* lowest = p.cell_legend->isHidden() ? p.legend : p.cell_legend;
+  const int left = p.chips->x(), beside = p.legend->x() - 8 - left,
+            chips_end = p.chips->geometry().bottom() + gap;
+  if (beside >= least_width) return {left, chips_end, beside, height() - chips_end};
+  const int top = std::max(chips_end, lowest->geometry().bottom() + gap);
+  return {left, top, width() - 2 * left, height() - top};
 }
 
 void SceneView::changeEvent(QEvent* event) {

@@ -60,6 +60,8 @@ class SceneView : public QWidget {
   /// Copies the setup of another view, for pictures of another size: no interaction, and the camera follows
   /// the pair by the frames' time, so that the same frames give the same pictures.
   void showAs(const SceneView& other, bool captions);
+  /// Part of the view where bars may come and go: they cover no control there.
+  QRect noticeRoom() const;
   /// Frames that reached the screen since the start.
   std::uint64_t renderedFrames() const;
 
@@ -106,6 +108,8 @@ class SceneView : public QWidget {
   void setFollowing(bool following);
 
  signals:
+  /// The controls over the picture were placed.
+  void arranged();
   void countsChanged(const abrazo::widgets::PartCounts& counts);
   void visibilityChanged(const abrazo::widgets::PartVisibility& visibility);
   void optionsChanged(const abrazo::widgets::SceneOptions& options);
