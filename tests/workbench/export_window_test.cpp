@@ -29,6 +29,7 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
@@ -40,6 +41,8 @@ namespace abrazo::app::export_window_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::StartsWith;
 
 class ExportWindow : public DemoWindow {
  protected:
@@ -80,7 +83,8 @@ class ExportWindow : public DemoWindow {
       if (each->accessibleName() == "Character") return *each;
     throw std::invalid_argument("no field for a character");
   }
-  static std::string trouble() { return dialog().findChild<QLabel*>("secondary")->text().toStdString(); }
+  /// What the dialog says below the choices: why they do not go together, or what the file will hold.
+  static std::string about() { return dialog().findChild<QLabel*>("secondary")->text().toStdString(); }
   static std::string content(const QString& name) {
     const auto read = read_whole_file(file(name).toStdString());
     return read ? *read : std::string();
@@ -160,10 +164,33 @@ TEST_F(ExportWindow, LabelsHaveFramesOnlyInATable) {
   rate->setValue(30);
   EXPECT_EQ(dialog().request().wish.rate_hz, 0);
   choose("As", ".csv");
+  EXPECT_FALSE(rate->isVisible()) << "all tiers are in seconds";
+  EXPECT_EQ(dialog().request().wish.rate_hz, 0);
+  choose("Tiers", false);
   EXPECT_TRUE(rate->isVisible());
   EXPECT_EQ(dialog().request().wish.rate_hz, 30);
   rate->setValue(0);
+  choose("Tiers", true);
   dialog().hide();
+}
+
+TEST_F(ExportWindow, ATableOfLabelsHasEveryTierUnlessTheMovesAloneAreChosen) {
+  choose("What", 2);
+  choose("As", ".csv");
+  EXPECT_THAT(about(), HasSubstr("Every tier, a row for each label"));
+  write("tiers.csv");
+  const auto table = read_tiers(file("tiers.csv").toStdString(), {});
+  ASSERT_TRUE(table) << table.error().text();
+  std::vector<std::string> names;
+  for (const Tier& tier : table->tiers) names.push_back(tier.name);
+  EXPECT_THAT(names, IsSupersetOf({"user role", "take followed"}));
+  choose("Tiers", false);
+  EXPECT_THAT(about(), HasSubstr("Other tiers are left out"));
+  write("moves.csv");
+  EXPECT_THAT(content("moves.csv"), StartsWith("take,start_frame,end_frame,label"));
+  choose("Tiers", true);
+  choose("As", ".eaf");
+  EXPECT_TRUE(box("Tiers").isHidden()) << "it holds all";
 }
 
 TEST_F(ExportWindow, LabelsOfWhatIsAnnotatedAreExportedFromItsMenu) {
@@ -259,7 +286,7 @@ TEST_F(ExportWindow, ACharacterPerformsTheBodiesInAFileEachAndTheFilesAreListed)
   EXPECT_TRUE(box("Unit").isHidden()) << "it has its own";
   for (const QString ending : {".glb", ".vrm"}) {
     choose("As", ending);
-    ASSERT_TRUE(button("Export…").isEnabled()) << trouble();
+    ASSERT_TRUE(button("Export…").isEnabled()) << about();
     write("worn" + ending);
     EXPECT_THAT(told().toStdString(),
                 HasSubstr(("worn_active" + ending + ", worn_passive" + ending).toStdString()));
@@ -278,15 +305,15 @@ TEST_F(ExportWindow, ACharacterIsOfMotionOnly) {
   choose("What", 2);
   EXPECT_TRUE(character().parentWidget()->isHidden());
   EXPECT_TRUE(dialog().request().wish.character.empty());
-  EXPECT_TRUE(button("Export…").isEnabled()) << trouble();
+  EXPECT_TRUE(button("Export…").isEnabled()) << about();
 }
 
 TEST_F(ExportWindow, ACharacterThatCannotBeReadIsSaidBeforeTheExportAndOneThatIsNoHumanoidByIt) {
   character().setText(file("gone.vrm"));
   EXPECT_FALSE(button("Export…").isEnabled());
-  EXPECT_THAT(trouble(), HasSubstr("gone.vrm"));
+  EXPECT_THAT(about(), HasSubstr("gone.vrm"));
   character().setText(rig());
-  EXPECT_TRUE(button("Export…").isEnabled()) << trouble();
+  EXPECT_TRUE(button("Export…").isEnabled()) << about();
   ASSERT_TRUE(write_whole_file(file("box.glb").toStdString(), "a box"));
   character().setText(file("box.glb"));
   choose("As", ".glb");

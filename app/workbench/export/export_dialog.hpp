@@ -70,6 +70,7 @@ class ExportDialog : public QDialog {
   Playback::Range part() const;
   bool isPerformed() const;
   bool hasSpace() const;
+  bool hasTiers() const;
   bool hasRate() const;
   QString trouble(const ExportRequest& request) const;
   void sourceChanged();
@@ -79,7 +80,7 @@ class ExportDialog : public QDialog {
 
   ExportOffer m_offer;
   QFormLayout* m_form;
-  QComboBox *m_source, *m_what, *m_part, *m_type, *m_unit, *m_up;
+  QComboBox *m_source, *m_what, *m_part, *m_type, *m_tiers, *m_unit, *m_up;
   QWidget* m_bodies;
   CharacterField* m_character;
   QCheckBox *m_user, *m_active, *m_passive;
