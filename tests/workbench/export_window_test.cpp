@@ -76,7 +76,12 @@ class ExportWindow : public DemoWindow {
     choose("What", 0);
     choose("Of", QString());
     choose("Part", "all");
+    for (const char* name : {"Leader", "Follower"}) body(name).setChecked(true);
+    body("User as received").setChecked(false);
     character().clear();
+  }
+  static qsizetype rootsIn(const QString& name) {
+    return QString::fromStdString(content(name)).count("ROOT ");
   }
   static QLineEdit& character() {
     for (auto* each : dialog().findChildren<QLineEdit*>())
@@ -274,6 +279,88 @@ TEST_F(ExportWindow, MotionIsWrittenAndTheFolderIsOffered) {
     EXPECT_TRUE(told().contains("frames at")) << told().toStdString();
     EXPECT_FALSE(desk().bar().isHidden());
   }
+}
+
+TEST_F(ExportWindow, ThePartnerAloneIsProposedAndTheDialogSaysWhoCannotReadAFileOfBoth) {
+  choose("As", ".bvh");
+  dialog().restore({});
+  EXPECT_TRUE(body("Follower").isChecked()) << "the user leads";
+  EXPECT_FALSE(body("Leader").isChecked());
+  EXPECT_EQ(about(), "The follower alone.");
+  write("partner.bvh");
+  EXPECT_EQ(rootsIn("partner.bvh"), 1) << window().messages().text().toStdString();
+  body("Leader").setChecked(true);
+  EXPECT_THAT(about(), HasSubstr("The leader and follower in one file"));
+  EXPECT_THAT(about(), HasSubstr("Blender and MotionBuilder expect a single root"));
+  write("both.bvh");
+  EXPECT_EQ(rootsIn("both.bvh"), 2) << "that was chosen";
+  choose("As", ".glb");
+  EXPECT_EQ(about(), "The leader and follower in one file.");
+}
+
+TEST_F(ExportWindow, ThePartnerOfAUserWhoFollowsIsTheLeader) {
+  press(Qt::Key_U);
+  EXPECT_TRUE(until([] { return desk().offer().partner == SessionBody::Active; }));
+  dialog().offer(desk().offer());
+  dialog().restore({});
+  EXPECT_TRUE(body("Leader").isChecked());
+  EXPECT_FALSE(body("Follower").isChecked());
+  press(Qt::Key_U);
+  EXPECT_TRUE(until([] { return desk().offer().partner == SessionBody::Passive; }));
+}
+
+TEST_F(ExportWindow, BodiesThatAPersonChoseAreProposedAgainAndThePartnerIsWhoeverItIsThen) {
+  body("User as received").setChecked(true);
+  const QStringList chosen = dialog().choices();
+  dialog().restore({});
+  const QStringList proposed = dialog().choices();
+  dialog().restore(chosen);
+  for (const char* name : {"Leader", "Follower", "User as received"}) EXPECT_TRUE(body(name).isChecked());
+  ExportOffer offer = desk().offer();
+  offer.partner = SessionBody::Active;
+  dialog().offer(offer);
+  dialog().restore(proposed);
+  EXPECT_TRUE(body("Leader").isChecked());
+  EXPECT_FALSE(body("Follower").isChecked());
+}
+
+TEST_F(ExportWindow, WhatTheWindowIsSetToIsProposed) {
+  ticker().setRange(0.2, 0.9);
+  dialog().offer(desk().offer());
+  dialog().restore({});
+  EXPECT_EQ(box("Part").currentData().toString(), "range");
+  EXPECT_EQ(dialog().request().wish.part.from_s, ticker().playback().range()->from_s);
+  ticker().setRange(0, 0);
+  dialog().offer(desk().offer());
+  dialog().restore({});
+  EXPECT_EQ(box("Part").currentData().toString(), "all");
+}
+
+TEST_F(ExportWindow, TheCharacterThatThePartnerWearsIsProposedWhereTheTypeCanHoldIt) {
+  const QString worn = file("worn.vrm");
+  ASSERT_TRUE(write_whole_file(worn.toStdString(), test::skinned_rig(test::Naming::Vrm1)));
+  widgets::SceneOptions options = window().scene().options();
+  options.character_files = {"", worn.toStdString()};
+  window().scene().setOptions(options);
+  dialog().offer(desk().offer());
+  choose("As", ".bvh");
+  dialog().restore({});
+  EXPECT_EQ(character().text(), QString()) << "a BVH has no character";
+  choose("As", ".glb");
+  EXPECT_EQ(character().text(), worn);
+  EXPECT_THAT(about(), HasSubstr("performed by the character: NAME_passive.glb"));
+  character().clear();
+  choose("As", ".npz");
+  choose("As", ".glb");
+  EXPECT_EQ(character().text(), QString()) << "the person took it off";
+  dialog().restore({});
+  EXPECT_EQ(character().text(), worn);
+  const QStringList choices = dialog().choices();
+  options.character_files = {};
+  window().scene().setOptions(options);
+  dialog().offer(desk().offer());
+  dialog().restore(choices);
+  EXPECT_EQ(character().text(), QString()) << "it was a proposal, not a choice";
 }
 
 TEST_F(ExportWindow, ACharacterPerformsTheBodiesInAFileEachAndTheFilesAreListed) {

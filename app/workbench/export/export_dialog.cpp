@@ -66,7 +66,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_user = new QCheckBox("User as received", m_bodies);
   for (QCheckBox* body : {m_active, m_passive, m_user}) {
     bodies->addWidget(body);
-    body->setChecked(body != m_user);
+    body->setChecked(body == m_passive);
     connect(body, &QCheckBox::toggled, this, &ExportDialog::settle);
   }
   bodies->addStretch(1);
@@ -119,10 +119,17 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_form->addRow(buttons);
   const auto changed = qOverload<int>(&QComboBox::currentIndexChanged);
   connect(m_source, changed, this, &ExportDialog::sourceChanged);
-  connect(m_what, changed, this, &ExportDialog::showTypes);
-  connect(m_character, &CharacterField::changed, this, &ExportDialog::showTypes);
+  connect(m_what, changed, this, [this] {
+    showTypes();
+    proposeCharacter();
+  });
+  connect(m_character, &CharacterField::changed, this, [this] {
+    m_mayProposeCharacter = false;
+    showTypes();
+  });
   for (QComboBox* box : {m_part, m_type, m_tiers, m_unit, m_up})
     connect(box, changed, this, &ExportDialog::settle);
+  connect(m_type, changed, this, &ExportDialog::proposeCharacter);
   connect(m_rate, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportDialog::settle);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(video, &QPushButton::clicked, this, &ExportDialog::videoRequested);
@@ -212,6 +219,33 @@ void ExportDialog::setFolder(const QString& folder) {
   m_character->setFolder(folder);
 }
 
+QCheckBox* ExportDialog::boxOf(SessionBody body) const {
+  return body == SessionBody::User ? m_user : body == SessionBody::Active ? m_active : m_passive;
+}
+
+/// @param names  none: the partner alone, which every program can read from a file
+void ExportDialog::chooseBodies(const QStringList& names) {
+  for (QCheckBox* body : {m_active, m_passive, m_user})
+    body->setChecked(names.isEmpty() ? body == boxOf(m_offer.partner) : names.contains(body->text()));
+}
+
+/// The character file of the chosen bodies in the scene, the partner's before the other's.
+QString ExportDialog::worn() const {
+  const SessionBody other =
+      m_offer.partner == SessionBody::Active ? SessionBody::Passive : SessionBody::Active;
+  for (const SessionBody body : {m_offer.partner, other})
+    if (const QString& file = m_offer.worn[body == SessionBody::Active ? 0 : 1];
+        boxOf(body)->isChecked() && !file.isEmpty())
+      return file;
+  return {};
+}
+
+void ExportDialog::proposeCharacter() {
+  const QString type = m_type->currentData().toString();
+  if (m_filling || !m_mayProposeCharacter || what() != Motion || (type != ".glb" && type != ".vrm")) return;
+  m_character->setFile(worn());
+}
+
 /// A character is written as what it is.
 void ExportDialog::showTypes() {
   const QVariant type = m_type->currentData();
@@ -297,7 +331,7 @@ void ExportDialog::settle() {
   showRow(m_unit, hasSpace());
   showRow(m_up, hasSpace());
   ExportRequest chosen = request();
-  chosen.wish.output = "file" + chosen.wish.output;
+  chosen.wish.output = "NAME" + chosen.wish.output;
   const QString why_not = trouble(chosen);
   const QString about = why_not.isEmpty() && !chosen.plots ? export_content_words(chosen.wish)
                                                            : why_not.left(1).toUpper() + why_not.mid(1);
@@ -317,25 +351,31 @@ QStringList ExportDialog::choices() const {
   QStringList bodies;
   for (const QCheckBox* body : {m_active, m_passive, m_user})
     if (body->isChecked()) bodies << body->text();
+  if (bodies == QStringList(boxOf(m_offer.partner)->text())) bodies.clear();
+  const QString character = m_character->file();
   return {m_what->currentData().toString(), m_type->currentData().toString(),
           m_part->currentData().toString(), bodies.join('+'),
           QString::number(m_rate->value()), m_unit->currentData().toString(),
-          m_up->currentData().toString(),   m_character->file(),
+          m_up->currentData().toString(),   character == worn() ? QString() : character,
           m_tiers->currentData().toString()};
 }
 
 void ExportDialog::restore(const QStringList& choices) {
-  if (choices.size() != 9) return;
-  choose(m_what, choices[0].toInt());
-  m_character->setFile(choices[7]);  // the types depend on it
-  choose(m_type, choices[1]);
-  choose(m_part, choices[2]);
-  for (QCheckBox* body : {m_active, m_passive, m_user})
-    body->setChecked(choices[3].split('+').contains(body->text()));
-  m_rate->setValue(choices[4].toDouble());
-  choose(m_unit, choices[5].toDouble());
-  choose(m_up, choices[6] == "true");
-  choose(m_tiers, choices[8] == "true");
+  const bool is_complete = choices.size() == 9;
+  chooseBodies(is_complete ? choices[3].split('+', Qt::SkipEmptyParts) : QStringList());
+  m_character->setFile(is_complete && worn().isEmpty() ? choices[7] : QString());  // the types depend on it
+  if (is_complete) {
+    choose(m_what, choices[0].toInt());
+    choose(m_type, choices[1]);
+    choose(m_part, choices[2]);
+    m_rate->setValue(choices[4].toDouble());
+    choose(m_unit, choices[5].toDouble());
+    choose(m_up, choices[6] == "true");
+    choose(m_tiers, choices[8] == "true");
+  }
+  choose(m_part, "range");
+  m_mayProposeCharacter = m_character->file().isEmpty();
+  proposeCharacter();
 }
 
 }  // namespace abrazo::app

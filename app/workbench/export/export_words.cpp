@@ -36,6 +36,28 @@ QString label_content_words(const ExportWish& wish) {
   return "Every tier.";
 }
 
+QString body_words(SessionBody body) {
+  return body == SessionBody::User ? "user" : body == SessionBody::Active ? "leader" : "follower";
+}
+
+QString motion_content_words(const ExportWish& wish) {
+  QStringList bodies, files;
+  for (const SessionBody body : wish.bodies) bodies << body_words(body);
+  const QString last = bodies.isEmpty() ? QString() : bodies.takeLast();
+  const QString who = "The " + (bodies.isEmpty() ? last : bodies.join(", ") + " and " + last);
+  if (!wish.character.empty()) {
+    for (const std::string& file : wish.files()) files << QString::fromStdString(file);
+    return QString("%1, performed by the character: %2. Without a character there are other file types.")
+        .arg(who, files.join(", "));
+  }
+  if (wish.bodies.size() < 2) return who + " alone.";
+  if (wish.output.ends_with(".bvh"))
+    return who +
+           " in one file, a root for each. Blender and MotionBuilder expect a single root: export the "
+           "bodies one by one for them.";
+  return who + " in one file.";
+}
+
 }  // namespace
 
 QString export_type_words(const QString& ending) {
@@ -58,7 +80,16 @@ QStringList all_export_type_words() {
 }
 
 QString export_content_words(const ExportWish& wish) {
-  return wish.content == ExportContent::Labels ? label_content_words(wish) : QString();
+  switch (wish.content) {
+    case ExportContent::Motion:
+      return motion_content_words(wish);
+    case ExportContent::Labels:
+      return label_content_words(wish);
+    case ExportContent::Mesh:
+    case ExportContent::Trace:
+      break;
+  }
+  return {};
 }
 
 QString export_size_words(std::uint64_t bytes) {

@@ -15,7 +15,7 @@ QString character_type_words(const QString& ending);
 /// All of them, for the width of a list.
 QStringList all_export_type_words();
 
-/// What the files will hold, as far as their type does not say it.
+/// What the files will hold, as far as their type does not say it, and who cannot read that.
 QString export_content_words(const ExportWish& wish);
 
 QString export_size_words(std::uint64_t bytes);
