@@ -1,5 +1,7 @@
 #include "core/opening/import_preview.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -29,6 +31,21 @@ UnmappedMotion largest_unknown(const std::vector<NamedMotion>& motions) {
 }
 
 }  // namespace
+
+std::vector<std::string> ImportView::questions() const {
+  std::vector<std::string> all;
+  if (performers.size() > 1 && reading.performer.empty())
+    all.push_back(
+        fmt::format("the file has {} performers; choose the one who plays the user", performers.size()));
+  if (imported.report.animations.size() > 1 && reading.animation.empty())
+    all.push_back(
+        fmt::format("the file has {} animations and the longest is read; choose another if that "
+                    "is wrong",
+                    imported.report.animations.size()));
+  for (const ImportWarning& warning : imported.report.warnings)
+    if (warning.asks) all.push_back(warning.detail);
+  return all;
+}
 
 ImportView ImportPreview::look(const MotionReading& reading, const Progress& progress) {
   ImportView view;

@@ -21,6 +21,9 @@ struct ImportView {
   double moves_m = 0;                   ///< largest distance on the ground between two places of the root
 
   bool is_readable() const { return !imported.clip.poses.empty(); }
+  /// What a person should confirm: performer and animation if nobody chose one of several, and what the
+  /// warnings ask. Empty: nothing.
+  std::vector<std::string> questions() const;
 };
 
 /// Reads a file with changing options. One thread at a time.

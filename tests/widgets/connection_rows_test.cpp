@@ -88,9 +88,10 @@ TEST(StreamAddress, NonsenseIsAnError) {
 TEST(StreamWords, EachStateHasAWordAndAMarkOfItsOwn) {
   StreamHealth health = receiving();
   EXPECT_EQ(headline_of(&health).mark, StreamMark::Good);
-  EXPECT_EQ(headline_of(&health).detail, "vmc on every network (0.0.0.0:39539)");
+  EXPECT_EQ(headline_of(&health).detail, "VMC, on every network (0.0.0.0:39539)");
   health.listening = "127.0.0.1:39539";
-  EXPECT_EQ(headline_of(&health).detail, "vmc on this machine only (127.0.0.1:39539)");
+  health.senders = {"127.0.0.1:50021"};
+  EXPECT_EQ(headline_of(&health).detail, "VMC from this machine, on this machine only (127.0.0.1:39539)");
   health.state = StreamHealth::State::Waiting;
   EXPECT_EQ(headline_of(&health).mark, StreamMark::Waiting);
   health.state = StreamHealth::State::Stalled;
@@ -98,6 +99,28 @@ TEST(StreamWords, EachStateHasAWordAndAMarkOfItsOwn) {
   health.state = StreamHealth::State::Failed;
   EXPECT_EQ(headline_of(&health).mark, StreamMark::Bad);
   EXPECT_EQ(headline_of(nullptr).mark, StreamMark::Off);
+}
+
+TEST(StreamWords, AStreamIsCalledAfterItsSenderAndNotAfterThePortItComesTo) {
+  StreamHealth health = receiving();
+  EXPECT_EQ(stream_name(health), "VMC") << "nobody has sent yet";
+  health.senders = {"192.168.1.20:50021"};
+  EXPECT_EQ(stream_name(health), "VMC from 192.168.1.20");
+  EXPECT_EQ(stream_name(health, "192.168.1.20:50021"), "VMC from 192.168.1.20");
+  health.senders.push_back("127.0.0.1:50022");
+  EXPECT_EQ(stream_name(health), "VMC from 2 machines");
+  EXPECT_EQ(stream_name(health, "127.0.0.1:50022"), "VMC from this machine") << "whose poses are meant";
+  EXPECT_EQ(stream_name(health, "all senders"), "VMC from 2 machines") << "in VMC nobody has a name";
+}
+
+TEST(StreamWords, APerformerWhomTheStreamNamesIsInItsName) {
+  StreamHealth health = receiving();
+  health.uri = "natnet://10.0.0.9:1510";
+  EXPECT_EQ(stream_name(health), "NatNet (Motive) at 10.0.0.9");
+  EXPECT_EQ(stream_name(health, "Ana"), "Ana, NatNet (Motive) at 10.0.0.9");
+  health.uri = "xsens://0.0.0.0:9763";
+  health.senders = {"10.0.0.4:51000"};
+  EXPECT_EQ(stream_name(health, "Ana"), "Ana, Xsens MVN from 10.0.0.4");
 }
 
 TEST(StreamWords, AReceivingStreamWhoseOnlyPerformerIsLostIsAWarning) {

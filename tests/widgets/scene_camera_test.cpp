@@ -50,6 +50,19 @@ TEST(SceneView, StaysWhereItWasTurnedToWhenTheLibraryGetsOtherLabels) {
   EXPECT_DOUBLE_EQ(scene.view.camera().azimuth_rad, turned_rad);
 }
 
+/// "inverted" was cut behind its first letters, and nothing said what it was.
+TEST(FrameFacts, SaysItBrieflyWhereTheWholeDoesNotFit) {
+  FrameFacts facts(nullptr);
+  const FrameFacts::Line line{"frame 1201 · 20.02 s · 3 of 96 tetrahedra inverted",
+                              "frame 1201 · 20.02 s · 3 inverted"};
+  facts.show(line, {}, {});
+  facts.resize(900, facts.height());
+  EXPECT_EQ(facts.firstLine(), line.whole);
+  while (facts.firstLine() == line.whole && facts.width() > 0)
+    facts.resize(facts.width() - 4, facts.height());
+  EXPECT_EQ(facts.firstLine(), line.brief) << "at " << facts.width() << " pixels";
+}
+
 TEST(SceneView, CutsAwayWhatIsNearerThanThePlane) {
   Scene scene({ScenePart::Leader, ScenePart::Follower});
   SceneOptions options;

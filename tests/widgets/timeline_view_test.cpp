@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAccessible>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
@@ -405,6 +406,29 @@ TEST(TransportBar, SaysToAParkedCursorThatTheLiveEndGoesOn) {
   bar.showHeld(false);
   bar.showInputComes(false);
   EXPECT_EQ(live->text(), "LIVE  End") << "nothing comes in that could be answered";
+}
+
+/// "… · 60 Hz" was cut behind "60".
+TEST(TransportBar, ALongNameOfTheInputIsShortenedBeforeItsRateAndToldInTheTooltip) {
+  TransportBar bar;
+  const QString input =
+      "Ana Maria de la Torre y Fernandez de Cordoba, NatNet (Motive) at capture-room.studio.example · 120 Hz";
+  bar.setInput(input, "on every network (0.0.0.0:1511)");
+  bar.resize(2400, bar.height());
+  (void)picture_of(bar);
+  EXPECT_EQ(bar.inputText(), input);
+  bar.resize(900, bar.height());
+  (void)picture_of(bar);
+  EXPECT_TRUE(bar.inputText().startsWith("Ana")) << bar.inputText().toStdString();
+  EXPECT_TRUE(bar.inputText().contains("…")) << bar.inputText().toStdString();
+  EXPECT_TRUE(bar.inputText().endsWith(" Hz")) << bar.inputText().toStdString();
+  bool is_told = false;
+  for (const QLabel* label : bar.findChildren<QLabel*>())
+    is_told = is_told || (label->toolTip().contains("Torre") && label->toolTip().contains("1511"));
+  EXPECT_TRUE(is_told);
+  bar.resize(500, bar.height());
+  (void)picture_of(bar);
+  EXPECT_EQ(bar.inputText(), QString());
 }
 
 TEST(TransportBar, ATakeIsNeverLive) {

@@ -29,6 +29,7 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
@@ -40,6 +41,8 @@ namespace abrazo::app::export_window_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::StartsWith;
 
 class ExportWindow : public DemoWindow {
  protected:
@@ -73,14 +76,20 @@ class ExportWindow : public DemoWindow {
     choose("What", 0);
     choose("Of", QString());
     choose("Part", "all");
+    for (const char* name : {"Leader", "Follower"}) body(name).setChecked(true);
+    body("User as received").setChecked(false);
     character().clear();
+  }
+  static qsizetype rootsIn(const QString& name) {
+    return QString::fromStdString(content(name)).count("ROOT ");
   }
   static QLineEdit& character() {
     for (auto* each : dialog().findChildren<QLineEdit*>())
       if (each->accessibleName() == "Character") return *each;
     throw std::invalid_argument("no field for a character");
   }
-  static std::string trouble() { return dialog().findChild<QLabel*>("secondary")->text().toStdString(); }
+  /// What the dialog says below the choices: why they do not go together, or what the file will hold.
+  static std::string about() { return dialog().findChild<QLabel*>("secondary")->text().toStdString(); }
   static std::string content(const QString& name) {
     const auto read = read_whole_file(file(name).toStdString());
     return read ? *read : std::string();
@@ -160,10 +169,33 @@ TEST_F(ExportWindow, LabelsHaveFramesOnlyInATable) {
   rate->setValue(30);
   EXPECT_EQ(dialog().request().wish.rate_hz, 0);
   choose("As", ".csv");
+  EXPECT_FALSE(rate->isVisible()) << "all tiers are in seconds";
+  EXPECT_EQ(dialog().request().wish.rate_hz, 0);
+  choose("Tiers", false);
   EXPECT_TRUE(rate->isVisible());
   EXPECT_EQ(dialog().request().wish.rate_hz, 30);
   rate->setValue(0);
+  choose("Tiers", true);
   dialog().hide();
+}
+
+TEST_F(ExportWindow, ATableOfLabelsHasEveryTierUnlessTheMovesAloneAreChosen) {
+  choose("What", 2);
+  choose("As", ".csv");
+  EXPECT_THAT(about(), HasSubstr("Every tier, a row for each label"));
+  write("tiers.csv");
+  const auto table = read_tiers(file("tiers.csv").toStdString(), {});
+  ASSERT_TRUE(table) << table.error().text();
+  std::vector<std::string> names;
+  for (const Tier& tier : table->tiers) names.push_back(tier.name);
+  EXPECT_THAT(names, IsSupersetOf({"user role", "take followed"}));
+  choose("Tiers", false);
+  EXPECT_THAT(about(), HasSubstr("Other tiers are left out"));
+  write("moves.csv");
+  EXPECT_THAT(content("moves.csv"), StartsWith("take,start_frame,end_frame,label"));
+  choose("Tiers", true);
+  choose("As", ".eaf");
+  EXPECT_TRUE(box("Tiers").isHidden()) << "it holds all";
 }
 
 TEST_F(ExportWindow, LabelsOfWhatIsAnnotatedAreExportedFromItsMenu) {
@@ -249,6 +281,88 @@ TEST_F(ExportWindow, MotionIsWrittenAndTheFolderIsOffered) {
   }
 }
 
+TEST_F(ExportWindow, ThePartnerAloneIsProposedAndTheDialogSaysWhoCannotReadAFileOfBoth) {
+  choose("As", ".bvh");
+  dialog().restore({});
+  EXPECT_TRUE(body("Follower").isChecked()) << "the user leads";
+  EXPECT_FALSE(body("Leader").isChecked());
+  EXPECT_EQ(about(), "The follower alone.");
+  write("partner.bvh");
+  EXPECT_EQ(rootsIn("partner.bvh"), 1) << window().messages().text().toStdString();
+  body("Leader").setChecked(true);
+  EXPECT_THAT(about(), HasSubstr("The leader and follower in one file"));
+  EXPECT_THAT(about(), HasSubstr("Blender and MotionBuilder expect a single root"));
+  write("both.bvh");
+  EXPECT_EQ(rootsIn("both.bvh"), 2) << "that was chosen";
+  choose("As", ".glb");
+  EXPECT_EQ(about(), "The leader and follower in one file.");
+}
+
+TEST_F(ExportWindow, ThePartnerOfAUserWhoFollowsIsTheLeader) {
+  press(Qt::Key_U);
+  EXPECT_TRUE(until([] { return desk().offer().partner == SessionBody::Active; }));
+  dialog().offer(desk().offer());
+  dialog().restore({});
+  EXPECT_TRUE(body("Leader").isChecked());
+  EXPECT_FALSE(body("Follower").isChecked());
+  press(Qt::Key_U);
+  EXPECT_TRUE(until([] { return desk().offer().partner == SessionBody::Passive; }));
+}
+
+TEST_F(ExportWindow, BodiesThatAPersonChoseAreProposedAgainAndThePartnerIsWhoeverItIsThen) {
+  body("User as received").setChecked(true);
+  const QStringList chosen = dialog().choices();
+  dialog().restore({});
+  const QStringList proposed = dialog().choices();
+  dialog().restore(chosen);
+  for (const char* name : {"Leader", "Follower", "User as received"}) EXPECT_TRUE(body(name).isChecked());
+  ExportOffer offer = desk().offer();
+  offer.partner = SessionBody::Active;
+  dialog().offer(offer);
+  dialog().restore(proposed);
+  EXPECT_TRUE(body("Leader").isChecked());
+  EXPECT_FALSE(body("Follower").isChecked());
+}
+
+TEST_F(ExportWindow, WhatTheWindowIsSetToIsProposed) {
+  ticker().setRange(0.2, 0.9);
+  dialog().offer(desk().offer());
+  dialog().restore({});
+  EXPECT_EQ(box("Part").currentData().toString(), "range");
+  EXPECT_EQ(dialog().request().wish.part.from_s, ticker().playback().range()->from_s);
+  ticker().setRange(0, 0);
+  dialog().offer(desk().offer());
+  dialog().restore({});
+  EXPECT_EQ(box("Part").currentData().toString(), "all");
+}
+
+TEST_F(ExportWindow, TheCharacterThatThePartnerWearsIsProposedWhereTheTypeCanHoldIt) {
+  const QString worn = file("worn.vrm");
+  ASSERT_TRUE(write_whole_file(worn.toStdString(), test::skinned_rig(test::Naming::Vrm1)));
+  widgets::SceneOptions options = window().scene().options();
+  options.character_files = {"", worn.toStdString()};
+  window().scene().setOptions(options);
+  dialog().offer(desk().offer());
+  choose("As", ".bvh");
+  dialog().restore({});
+  EXPECT_EQ(character().text(), QString()) << "a BVH has no character";
+  choose("As", ".glb");
+  EXPECT_EQ(character().text(), worn);
+  EXPECT_THAT(about(), HasSubstr("performed by the character: NAME_passive.glb"));
+  character().clear();
+  choose("As", ".npz");
+  choose("As", ".glb");
+  EXPECT_EQ(character().text(), QString()) << "the person took it off";
+  dialog().restore({});
+  EXPECT_EQ(character().text(), worn);
+  const QStringList choices = dialog().choices();
+  options.character_files = {};
+  window().scene().setOptions(options);
+  dialog().offer(desk().offer());
+  dialog().restore(choices);
+  EXPECT_EQ(character().text(), QString()) << "it was a proposal, not a choice";
+}
+
 TEST_F(ExportWindow, ACharacterPerformsTheBodiesInAFileEachAndTheFilesAreListed) {
   ticker().setRange(0.2, 0.9);
   dialog().offer(desk().offer());
@@ -259,7 +373,7 @@ TEST_F(ExportWindow, ACharacterPerformsTheBodiesInAFileEachAndTheFilesAreListed)
   EXPECT_TRUE(box("Unit").isHidden()) << "it has its own";
   for (const QString ending : {".glb", ".vrm"}) {
     choose("As", ending);
-    ASSERT_TRUE(button("Export…").isEnabled()) << trouble();
+    ASSERT_TRUE(button("Export…").isEnabled()) << about();
     write("worn" + ending);
     EXPECT_THAT(told().toStdString(),
                 HasSubstr(("worn_active" + ending + ", worn_passive" + ending).toStdString()));
@@ -278,15 +392,15 @@ TEST_F(ExportWindow, ACharacterIsOfMotionOnly) {
   choose("What", 2);
   EXPECT_TRUE(character().parentWidget()->isHidden());
   EXPECT_TRUE(dialog().request().wish.character.empty());
-  EXPECT_TRUE(button("Export…").isEnabled()) << trouble();
+  EXPECT_TRUE(button("Export…").isEnabled()) << about();
 }
 
 TEST_F(ExportWindow, ACharacterThatCannotBeReadIsSaidBeforeTheExportAndOneThatIsNoHumanoidByIt) {
   character().setText(file("gone.vrm"));
   EXPECT_FALSE(button("Export…").isEnabled());
-  EXPECT_THAT(trouble(), HasSubstr("gone.vrm"));
+  EXPECT_THAT(about(), HasSubstr("gone.vrm"));
   character().setText(rig());
-  EXPECT_TRUE(button("Export…").isEnabled()) << trouble();
+  EXPECT_TRUE(button("Export…").isEnabled()) << about();
   ASSERT_TRUE(write_whole_file(file("box.glb").toStdString(), "a box"));
   character().setText(file("box.glb"));
   choose("As", ".glb");

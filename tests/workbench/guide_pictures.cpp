@@ -1,6 +1,8 @@
 // The pictures of the guide, and every panel and dialog by itself, made by the program. See docs/images/make.
 //   guide_pictures OUT THEME [FILE...]   THEME is dark or light; QT_SCALE_FACTOR=2 gives them twice as fine
 
+#include <sched.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
@@ -8,6 +10,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QThread>
@@ -28,7 +31,6 @@
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/motion/bvh/bvh.hpp"
-#include "core/stream/send/pose_sink.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/body_box.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -41,7 +43,7 @@ constexpr double intent_shown_s = 17;
 constexpr double shown_time_s = 30;  ///< of the session, where the cursor is parked
 constexpr double compared_from_s = 20;
 constexpr double previewed_s = 6;  ///< of the take on other bodies
-constexpr double live_rate_hz = 60;
+constexpr double live_rate_hz = 120;
 constexpr int patience_ms = 180'000;
 
 template <typename Condition>
@@ -126,6 +128,12 @@ class Pictures {
     wait(1200 + 1000 * seconds);
   }
 
+  /// A picture that cannot be made.
+  void miss(const QString& why) {
+    std::printf("%s\n", qPrintable(why));
+    m_complete = false;
+  }
+
   bool complete() const { return m_complete; }
 
  private:
@@ -134,10 +142,7 @@ class Pictures {
     QAction* found = nullptr;
     for (QAction* each : m_window.findChildren<QAction*>())
       if (each->text() == text) found = each;
-    if (!found) {
-      std::printf("%s: there is no such action\n", qPrintable(text));
-      m_complete = false;
-    }
+    if (!found) miss(text + ": there is no such action");
     return found;
   }
 
@@ -212,25 +217,38 @@ void annotate(MainWindow& window, Pictures& pictures) {
   desk.showSubject("");
 }
 
+/// `abrazo send`, as tests/soak/soak starts it: a process of its own, like a suit on another machine. A timer
+/// of this one would wait while the window draws. Where the user may ask for it, it does not wait for the
+/// processor.
+class Sender : public QProcess {
+ public:
+  ~Sender() override {
+    terminate();
+    (void)waitForFinished();
+  }
+
+ protected:
+  void setupChildProcess() override {
+    const sched_param first{1};
+    (void)sched_setscheduler(0, SCHED_FIFO, &first);
+  }
+};
+
 /// The take that plays the user, sent as VMC packets to the window itself; the partner is sent back.
-void live(MainWindow& window, Pictures& pictures) {
+void live(MainWindow& window, const QDir& folder, Pictures& pictures) {
+  const QString address = "vmc://127.0.0.1:39539", file = folder.filePath("user.bvh");
+  const auto text = write_bvh(std::span(&window.session()->material().input, 1));
   auto& streams = *window.findChild<StreamDesk*>();
-  streams.connectTo("vmc://127.0.0.1:39539");
-  const Clip clip = window.session()->material().input;
-  const auto to = parse_stream_uri("vmc://127.0.0.1:39539");
-  auto sender = PoseSink::open(*to, body_of(clip.poses), "user");
-  if (!sender || !window.session()->engine().receiver()) return;
+  streams.connectTo(address);
+  if (!text || !write_whole_file(file.toStdString(), *text) || !window.session()->engine().receiver())
+    return pictures.miss("live: the user's motion cannot be written, or the port is in use");
   send_partner_to(window, streams, "vmc://127.0.0.1:39540?framing=t-last");
-  const double rate = std::min(clip.fps, live_rate_hz);
-  std::size_t sent = 0;
-  QTimer packets;
-  packets.setTimerType(Qt::PreciseTimer);
-  QObject::connect(&packets, &QTimer::timeout, &packets, [&] {
-    const auto frame =
-        static_cast<std::size_t>(static_cast<double>(sent) * clip.fps / rate) % clip.poses.size();
-    (*sender)->send({clip.poses[frame], static_cast<double>(sent++) / rate, true});
-  });
-  packets.start(static_cast<int>(1000 / rate));
+  Sender sender;
+  sender.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+  sender.start(QCoreApplication::applicationDirPath() + "/abrazo",
+               {"send", file, "--metres-per-unit", "1", "--to", address, "--rate",
+                QString::number(live_rate_hz), "--loop", "--quiet"});
+  if (!sender.waitForStarted()) return pictures.miss("live: abrazo, which sends the stream, does not start");
   window.panels().want("connection", true);
   window.panels().panel("connection")->raise();
   window.panels().want("latency", true);
@@ -305,7 +323,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   cut(window, pictures);
   pictures.panels();
   annotate(window, pictures);
-  live(window, pictures);
+  live(window, QDir(home.path()), pictures);
   pictures.dialog("Keys", "keys");
   pictures.dialog("Shortcuts…", "shortcuts");
   pictures.dialog("Sweep two settings…", "sweep", "startSweep", 40);

@@ -6,6 +6,7 @@
 #include <QCompleter>
 #include <QDir>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
@@ -34,6 +35,8 @@ namespace abrazo::app::import_panel_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 class ImportPanelTest : public DemoWindow {
  protected:
@@ -41,6 +44,7 @@ class ImportPanelTest : public DemoWindow {
   void SetUp() override {
     DemoWindow::SetUp();
     QDir(remembered().importRuleFolder()).removeRecursively();
+    remembered().setRemembersImports(false);
   }
   void TearDown() override { delete desk().panel(); }
 
@@ -137,6 +141,9 @@ class ImportPanelTest : public DemoWindow {
     QTest::keyClicks(line, text);
     emit line->editingFinished();
   }
+  static QRect placeInPanel(const QWidget* widget) {
+    return {widget->mapTo(panel(), QPoint(0, 0)), widget->size()};
+  }
   static void click(const QString& text) {
     for (auto* button : panel()->findChildren<QPushButton*>())
       if (button->text() == text) return button->click();
@@ -161,6 +168,63 @@ TEST_F(ImportPanelTest, AFileThatIsReadWithDoubtsIsAskedAboutAndChangesNothingUn
   ASSERT_TRUE(until([] { return !panel(); }));
   EXPECT_EQ(QString::fromStdString(open().input.name), before);
   EXPECT_TRUE(QDir(remembered().importRuleFolder()).isEmpty()) << "nothing is remembered either";
+}
+
+TEST_F(ImportPanelTest, TheReasonIsTheFirstThingAndLeavesWhenItIsAnswered) {
+  window().openFiles({walk("asked_1.bvh", 100)});
+  ASSERT_TRUE(shows());
+  EXPECT_THAT(panel()->reason().toStdString(), StartsWith("Please check: "));
+  EXPECT_THAT(panel()->reason().toStdString(), HasSubstr("the toe bases rest at"));
+  EXPECT_THAT(panel()->reason().toStdString(), Not(HasSubstr("does not state its unit")))
+      << "that was guessed with certainty: a warning, no question";
+  turn();
+  const QRect reason = placeInPanel(named<QLabel>("Reason"));
+  for (QWidget* each : panel()->findChildren<QWidget*>())
+    if (each->isVisible() && each->accessibleName() != "Reason") {
+      EXPECT_LE(reason.bottom(), placeInPanel(each).top()) << each->accessibleName().toStdString();
+    }
+  choose("Floor", "as in the file");
+  EXPECT_EQ(panel()->reason(), "");
+}
+
+TEST_F(ImportPanelTest, PerformersAndAnimationsThatNobodyChoseAreTheReason) {
+  window().openFiles({pair("two.bvh")});
+  ASSERT_TRUE(shows());
+  EXPECT_THAT(panel()->reason().toStdString(), HasSubstr("the file has 2 performers"));
+  choose("Performer", "Ben");
+  EXPECT_THAT(panel()->reason().toStdString(), Not(HasSubstr("performers")));
+  click("Cancel");
+  ASSERT_TRUE(until([] { return !panel(); }));
+  window().openFiles({with_two_animations("two.glb")});
+  ASSERT_TRUE(shows());
+  EXPECT_THAT(panel()->reason().toStdString(), HasSubstr("the file has 2 animations"));
+}
+
+/// It was ticked before anybody had decided.
+TEST_F(ImportPanelTest, TheTickIsOffUntilThePersonSetItAndThenAsThePersonLeftIt) {
+  for (const auto& [name, was, becomes] :
+       {std::tuple("walk", false, true), {"jump", true, false}, {"sit", false, false}}) {
+    QDir(remembered().importRuleFolder()).removeRecursively();
+    window().openFiles({walk(name + QString(".bvh"))});
+    ASSERT_TRUE(shows());
+    EXPECT_EQ(panel()->remembers(), was) << name;
+    panel()->setRemembers(becomes);
+    click("Import");
+    ASSERT_TRUE(until([name = name] { return !panel() && open().input.name == name; }));
+  }
+}
+
+TEST_F(ImportPanelTest, AFileThatHasARuleShowsItsTickSoThatTheRuleIsNotLostUnasked) {
+  const QString file = walk("walk_1.bvh");
+  window().openFiles({file});
+  ASSERT_TRUE(shows());
+  panel()->setRemembers(true);
+  click("Import");
+  ASSERT_TRUE(until([] { return open().input.name == "walk_1" && !panel(); }));
+  remembered().setRemembersImports(false);
+  desk().offer({file});
+  ASSERT_TRUE(shows());
+  EXPECT_TRUE(panel()->remembers());
 }
 
 /// It was asked before the panel was there, and again when the panel was accepted.
@@ -201,6 +265,7 @@ TEST_F(ImportPanelTest, WhatIsSaidIsSeenAtOnceImportedAndDoneForFilesAlike) {
   type("Frame rate", "48");
   ASSERT_TRUE(until([] { return panel()->view().imported.clip.fps == 48; }));
   ASSERT_TRUE(shows());
+  panel()->setRemembers(true);
   click("Import");
   ASSERT_TRUE(until([] { return open().input.name == "walk_1"; }));
   EXPECT_EQ(open().input.fps, 48);
@@ -215,6 +280,7 @@ TEST_F(ImportPanelTest, WhatIsRememberedCanBeSeenAndRemoved) {
   window().openFiles({walk("walk_1.bvh")});
   ASSERT_TRUE(shows());
   choose("Unit", "metres");
+  panel()->setRemembers(true);
   click("Import");
   ASSERT_TRUE(until([] { return open().input.name == "walk_1" && !panel(); }));
   ImportRulesDialog rules(remembered().importRuleFolder(), nullptr);

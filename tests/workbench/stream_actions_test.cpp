@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 
 #include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/status_figures.hpp"
 #include "app/workbench/stream/latency_desk.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -85,6 +86,15 @@ TEST_F(StreamActions, WhatComesInPlaysTheUser) {
   EXPECT_EQ(live().input_frame, -1) << "no frame of the clip";
   auto* latency = window().findChild<widgets::LatencyButton*>();
   EXPECT_TRUE(until([latency] { return latency->words().contains("ms"); }));
+}
+
+TEST_F(StreamActions, TheWindowNamesTheStreamAfterItsSenderAndThePortIsADetail) {
+  const StreamedPerformer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  EXPECT_TRUE(until([] { return window().status().words().front() == "VMC from this machine"; }))
+      << window().status().words().front().toStdString();
+  const QString detail = QString::fromStdString(panel().findChild<widgets::StreamHead*>()->shown().detail);
+  EXPECT_TRUE(detail.contains(QString::fromStdString(desk().health()->listening))) << detail.toStdString();
 }
 
 TEST_F(StreamActions, AfterDisconnectingTheClipGoesOn) {

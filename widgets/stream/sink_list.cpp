@@ -42,7 +42,8 @@ class SinkCard : public QWidget {
     setAccessibleName(what);
     setAccessibleDescription(figures());
     const std::string& failure = row.health.latest_failure;
-    setToolTip(plain_tip(what + (failure.empty() ? QString() : "\n" + QString::fromStdString(failure))));
+    setToolTip(plain_tip(what + "\n" + figures() +
+                         (failure.empty() ? QString() : "\n" + QString::fromStdString(failure))));
     update();
   }
 
@@ -64,7 +65,9 @@ class SinkCard : public QWidget {
         QFontMetricsF(painter.font())
             .elidedText(QString::fromStdString(m_row.health.uri), Qt::ElideMiddle, place.width()));
     painter.setPen(failing ? m_palette.warning : m_palette.secondary);
-    draw_tabular(painter, QRectF(32, 22, width() - 44, 19), Qt::AlignLeft, figures());
+    const QRectF line(32, 22, width() - 44, 19);
+    draw_tabular(painter, line, Qt::AlignLeft,
+                 QFontMetricsF(painter.font()).elidedText(figures(), Qt::ElideRight, line.width()));
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <set>
 
 #include "core/stream/protocol/stream_uri.hpp"
 
@@ -29,6 +30,24 @@ StreamFigure counted(const char* name, std::uint64_t count, const char* help) {
   return {name, count_text(count), count > 0, help};
 }
 
+/// Of "192.168.1.20:50021", without the port.
+std::string machine_words(const std::string& place) {
+  const std::string address = place.substr(0, place.rfind(':'));
+  return address.starts_with("127.") || address == "localhost" ? "this machine" : address;
+}
+
+/// The machines that send, or the one that is this performer.
+std::string senders_words(const StreamHealth& health, const std::string& performer) {
+  std::set<std::string> machines;
+  for (const std::string& sender : health.senders) {
+    if (sender == performer) return machine_words(sender);
+    machines.insert(machine_words(sender));
+  }
+  return machines.size() > 1    ? std::to_string(machines.size()) + " machines"
+         : machines.size() == 1 ? *machines.begin()
+                                : "";
+}
+
 bool any_tracked(const StreamHealth& health) {
   return std::any_of(health.performers.begin(), health.performers.end(),
                      [](const PerformerHealth& performer) { return performer.tracked; });
@@ -36,11 +55,23 @@ bool any_tracked(const StreamHealth& health) {
 
 }  // namespace
 
+std::string stream_name(const StreamHealth& health, const std::string& performer) {
+  const auto uri = parse_stream_uri(health.uri);
+  if (!uri) return health.uri;
+  const SchemeFacts& facts = facts_of(uri->scheme);
+  std::string name(facts.title);
+  // In VMC nobody has a name: its performers are addresses.
+  if (!performer.empty() && uri->scheme != StreamUri::Scheme::Vmc) name = performer + ", " + name;
+  if (facts.asks_server && uri->host != "0.0.0.0") return name + " at " + machine_words(uri->host);
+  const std::string senders = senders_words(health, performer);
+  return senders.empty() ? name : name + " from " + senders;
+}
+
 StreamHeadline headline_of(const StreamHealth* health) {
   if (!health) return {StreamMark::Off, "not connected", "The clip plays the user"};
-  const std::string detail = health->listening.empty() ? health->uri
-                                                       : health->uri.substr(0, health->uri.find(':')) + " " +
-                                                             listening_words(health->listening);
+  const std::string detail = health->listening.empty()
+                                 ? health->uri
+                                 : stream_name(*health) + ", " + listening_words(health->listening);
   switch (health->state) {
     case StreamHealth::State::Waiting:
       return {StreamMark::Waiting, "waiting for the first packet", detail};

@@ -9,6 +9,12 @@
 
 namespace abrazo::widgets {
 
+/// What a person calls a stream: "VMC from 192.168.1.20", "VMC from this machine", "NatNet (Motive)
+/// at 10.0.0.9", with the performer where packets bear names: "Ana, Xsens MVN from 10.0.0.4". Before the
+/// first packet it has no sender. The local port is no part of it.
+/// @param performer  whose poses are meant; empty = the stream as a whole
+std::string stream_name(const StreamHealth& health, const std::string& performer = {});
+
 /// State of a stream; each has a sign, a word and a colour.
 enum class StreamMark { Off, Waiting, Good, Warning, Bad };
 
@@ -16,7 +22,7 @@ enum class StreamMark { Off, Waiting, Good, Warning, Bad };
 struct StreamHeadline {
   StreamMark mark = StreamMark::Off;
   std::string word;    ///< "receiving"
-  std::string detail;  ///< "vmc on this machine only (127.0.0.1:39539)"
+  std::string detail;  ///< "VMC from 192.168.1.20, on every network (0.0.0.0:39539)"
 };
 /// @param health null = not connected
 StreamHeadline headline_of(const StreamHealth* health);

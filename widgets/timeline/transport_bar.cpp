@@ -4,13 +4,16 @@
 #include <QContextMenuEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QPainter>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/common/icons.hpp"
 #include "widgets/common/parts.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -21,7 +24,24 @@ QString speed_number(double factor) {
   return QString::number(factor, 'f', 2) + "×";
 }
 
+constexpr int shortest_input_px = 120;  ///< a name that is shortened more says nothing
+
 }  // namespace
+
+/// In one line; what does not fit is left out in its middle, so that name and rate are both seen.
+class InputLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+  QString drawn() const { return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width()); }
+  QSize minimumSizeHint() const override { return {1, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    style()->drawItemText(&painter, contentsRect(), Qt::AlignVCenter | Qt::AlignLeft, palette(), isEnabled(),
+                          drawn(), foregroundRole());
+  }
+};
 
 TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setFixedHeight(40);
@@ -66,7 +86,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   }
   connect(m_livePin, &QToolButton::clicked, this, &TransportBar::liftPinRequested);
   connect(m_triedPin, &QToolButton::clicked, this, &TransportBar::applyPinRequested);
-  m_input = quiet_label({}, this);
+  m_input = new InputLabel(this);
+  m_input->setObjectName("secondary");
+  m_input->setTextFormat(Qt::PlainText);
   arrange();
   connect(m_start, &QToolButton::clicked, this, &TransportBar::startRequested);
   connect(m_back, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
@@ -156,7 +178,6 @@ void TransportBar::arrange() {
   row->addStretch(1);
   row->addWidget(m_recording, 0, Qt::AlignVCenter);
   row->addSpacing(12);
-  m_input->setMinimumWidth(1);
   row->addWidget(m_input);
 }
 
@@ -216,8 +237,9 @@ void TransportBar::showOfTake(bool on) {
   makeRoom();
 }
 
-void TransportBar::setInput(const QString& text) {
+void TransportBar::setInput(const QString& text, const QString& detail) {
   m_input->setText(text);
+  describe(*m_input, "Input: " + text, plain_tip(detail.isEmpty() ? text : text + "\n" + detail));
   makeRoom();
 }
 
@@ -303,6 +325,10 @@ void TransportBar::setRoleMenu(QMenu* menu) {
   m_role->setMenu(menu);
 }
 
+QString TransportBar::inputText() const {
+  return m_input->isHidden() ? QString() : m_input->drawn();
+}
+
 QString TransportBar::recordingText() const {
   return m_recording->text();
 }
@@ -311,14 +337,14 @@ QString TransportBar::roleText() const {
   return m_role->isHidden() ? QString() : m_role->text();
 }
 
-/// Rather nothing than half a name.
+/// Rather nothing than a name that nobody can read.
 void TransportBar::makeRoom() {
   int others_px = 570;
   if (!m_isOfTake) others_px += m_live->sizeHint().width() + 12;
   for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role),
                               static_cast<QWidget*>(m_livePin), static_cast<QWidget*>(m_triedPin)})
     if (!part->isHidden()) others_px += part->sizeHint().width() + 12;
-  m_input->setVisible(width() >= others_px + m_input->sizeHint().width());
+  m_input->setVisible(width() >= others_px + std::min(m_input->sizeHint().width(), shortest_input_px));
   // Both are in the menus and on the ruler as well.
   for (QWidget* part : {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_loop)})
     part->setVisible(width() >= others_px);

@@ -14,6 +14,7 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
+class InputLabel;
 class TabularLabel;
 
 /// Play, step, time, state, speed, loop. Emits requests; shows what it is given.
@@ -24,7 +25,10 @@ class TransportBar : public QWidget {
   void setColours(const Palette& palette);
   /// A take has no user and no live end: what speaks of these is hidden.
   void showOfTake(bool on);
-  void setInput(const QString& text);
+  /// @param text  what plays the user, such as "VMC from this machine · 60 Hz"; shortened where it does not
+  /// fit
+  /// @param detail  more about it, for the tooltip
+  void setInput(const QString& text, const QString& detail = {});
   /// Rate of the timecode; 0 = none.
   void setRate(double rate_hz);
   double rate() const { return m_rate_hz; }
@@ -42,6 +46,8 @@ class TransportBar : public QWidget {
   void showPins(bool live, bool tried);
   /// Menu of the role button.
   void setRoleMenu(QMenu* menu);
+  /// As it is drawn; empty = there is no room for it.
+  QString inputText() const;
   QString recordingText() const;
   QString roleText() const;
   QString stateText() const;
@@ -101,7 +107,7 @@ class TransportBar : public QWidget {
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;
   QPushButton* m_live;
-  QLabel* m_input;
+  InputLabel* m_input;
   QMenu* m_formats;
   QAction *m_everyFrame = nullptr, *m_backAndForth = nullptr, *m_overAndOver = nullptr;
 };

@@ -23,6 +23,9 @@ class UserSettings {
   QString jointMapFolder() const { return m_folder + "/joint-maps"; }
   /// Folder of the user's rules for reading similar motion files.
   QString importRuleFolder() const { return m_folder + "/import-rules"; }
+  /// Whether the last imported motion was to be a rule for similar files.
+  bool remembersImports() const { return m_store.value("import/remembers", false).toBool(); }
+  void setRemembersImports(bool on) { m_store.setValue("import/remembers", on); }
 
   QByteArray geometry() const { return m_store.value("window/geometry").toByteArray(); }
   void setGeometry(const QByteArray& geometry) { m_store.setValue("window/geometry", geometry); }

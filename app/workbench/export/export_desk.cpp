@@ -13,6 +13,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/offer_bar.hpp"
 #include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
@@ -67,6 +68,12 @@ ExportOffer ExportDesk::offer() const {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
   }
+  const FrameSnapshotPtr newest = session->engine().latest().newest();
+  const Settings& settings = newest ? newest->settings : m_window.document().settings();
+  offer.partner = settings.user_role == UserRole::Passive ? SessionBody::Active : SessionBody::Passive;
+  const auto& files = m_window.scene().options().character_files;
+  for (std::size_t body = 0; body < files.size(); ++body)
+    offer.worn[body] = QString::fromStdString(files[body]);
   const RecordedTakes takes = m_takes();
   for (const RecordedTake& take : takes.all())
     offer.takes.push_back(

@@ -8,51 +8,16 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <array>
 
 #include "app/workbench/base/character_field.hpp"
 #include "app/workbench/base/range_words.hpp"
+#include "app/workbench/export/export_words.hpp"
 #include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 namespace {
 
 constexpr double fastest_hz = 480;
-
-/// What a file type is, for the list.
-struct TypeWords {
-  const char *ending, *words;
-};
-constexpr std::array<TypeWords, 14> type_words = {{
-    {".glb", "glTF binary (.glb): skinned bodies for Blender, engines, viewers"},
-    {".bvh", "BVH (.bvh): skeletons for animation tools"},
-    {".csv", "Table (.csv)"},
-    {".npz", "NumPy (.npz): positions with names, rate, unit and axis"},
-    {".npy", "NumPy (.npy): positions of one body"},
-    {".vtu", "VTK mesh (.vtu): one frame for ParaView"},
-    {".pvd", "VTK series (.pvd and .vtu): for ParaView"},
-    {".eaf", "ELAN (.eaf)"},
-    {".json", "JSON (.json)"},
-    {".vtt", "WebVTT subtitles (.vtt)"},
-    {".srt", "SubRip subtitles (.srt)"},
-    {".jsonl", "JSON lines (.jsonl): every frame with its reasons"},
-    {".png", "Picture (.png)"},
-    {".svg", "Drawing (.svg)"},
-}};
-
-constexpr const char* character_glb = "glTF binary (.glb): the character, a file for each body";
-constexpr const char* character_vrm = "VRM (.vrm): the character, a file for each body";
-
-QString type_words_of(const QString& ending) {
-  for (const TypeWords& type : type_words)
-    if (ending == type.ending) return type.words;
-  return ending;
-}
-
-QString size_words(std::uint64_t bytes) {
-  if (bytes < 1'000'000) return QString("%1 kB").arg((bytes + 999) / 1000);
-  return QString("%1 MB").arg(static_cast<double>(bytes) / 1e6, 0, 'f', bytes < 10'000'000 ? 1 : 0);
-}
 
 QComboBox* combo(QWidget* parent, const char* name) {
   auto* box = new QComboBox(parent);
@@ -65,9 +30,7 @@ QComboBox* combo(QWidget* parent, const char* name) {
 
 /// So wide that no type is cut, whichever of them are listed.
 void make_room_for_types(QComboBox& box) {
-  QStringList all = {character_glb, character_vrm};
-  for (const TypeWords& type : type_words) all << type.words;
-  box.addItems(all);
+  box.addItems(all_export_type_words());
   box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
   box.ensurePolished();
   box.setMinimumWidth(box.sizeHint().width());
@@ -103,7 +66,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_user = new QCheckBox("User as received", m_bodies);
   for (QCheckBox* body : {m_active, m_passive, m_user}) {
     bodies->addWidget(body);
-    body->setChecked(body != m_user);
+    body->setChecked(body == m_passive);
     connect(body, &QCheckBox::toggled, this, &ExportDialog::settle);
   }
   bodies->addStretch(1);
@@ -111,6 +74,9 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_part = combo(this, "Part");
   m_type = combo(this, "As");
   make_room_for_types(*m_type);
+  m_tiers = combo(this, "Tiers");
+  m_tiers->addItem("All, times in seconds", true);
+  m_tiers->addItem("Moves alone, in frames of each take: a label file", false);
   m_rate = new QDoubleSpinBox(this);
   m_rate->setObjectName("Rate");
   m_rate->setAccessibleName("Frames per second");
@@ -144,6 +110,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_form->addRow("Character", m_character);
   m_form->addRow("Part", m_part);
   m_form->addRow("As", m_type);
+  m_form->addRow("Tiers", m_tiers);
   m_form->addRow("Rate", m_rate);
   m_form->addRow("Unit", m_unit);
   m_form->addRow("Axes", m_up);
@@ -152,9 +119,17 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_form->addRow(buttons);
   const auto changed = qOverload<int>(&QComboBox::currentIndexChanged);
   connect(m_source, changed, this, &ExportDialog::sourceChanged);
-  connect(m_what, changed, this, &ExportDialog::showTypes);
-  connect(m_character, &CharacterField::changed, this, &ExportDialog::showTypes);
-  for (QComboBox* box : {m_part, m_type, m_unit, m_up}) connect(box, changed, this, &ExportDialog::settle);
+  connect(m_what, changed, this, [this] {
+    showTypes();
+    proposeCharacter();
+  });
+  connect(m_character, &CharacterField::changed, this, [this] {
+    m_mayProposeCharacter = false;
+    showTypes();
+  });
+  for (QComboBox* box : {m_part, m_type, m_tiers, m_unit, m_up})
+    connect(box, changed, this, &ExportDialog::settle);
+  connect(m_type, changed, this, &ExportDialog::proposeCharacter);
   connect(m_rate, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportDialog::settle);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(video, &QPushButton::clicked, this, &ExportDialog::videoRequested);
@@ -229,14 +204,46 @@ bool ExportDialog::hasSpace() const {
   return what() == Motion && !isPerformed() && m_type->currentData().toString() != ".glb";
 }
 
-/// Of labels only a table counts frames.
+/// Only a table of labels leaves open which tiers it holds; other types hold all.
+bool ExportDialog::hasTiers() const {
+  return what() == Labels && m_type->currentData().toString() == ".csv";
+}
+
+/// Of labels only a label file counts frames.
 bool ExportDialog::hasRate() const {
-  const bool is_counted = what() != Labels || m_type->currentData().toString() == ".csv";
+  const bool is_counted = what() != Labels || (hasTiers() && !m_tiers->currentData().toBool());
   return what() != Plots && what() != Trace && m_part->currentData().toString() != "frame" && is_counted;
 }
 
 void ExportDialog::setFolder(const QString& folder) {
   m_character->setFolder(folder);
+}
+
+QCheckBox* ExportDialog::boxOf(SessionBody body) const {
+  return body == SessionBody::User ? m_user : body == SessionBody::Active ? m_active : m_passive;
+}
+
+/// @param names  none: the partner alone, which every program can read from a file
+void ExportDialog::chooseBodies(const QStringList& names) {
+  for (QCheckBox* body : {m_active, m_passive, m_user})
+    body->setChecked(names.isEmpty() ? body == boxOf(m_offer.partner) : names.contains(body->text()));
+}
+
+/// The character file of the chosen bodies in the scene, the partner's before the other's.
+QString ExportDialog::worn() const {
+  const SessionBody other =
+      m_offer.partner == SessionBody::Active ? SessionBody::Passive : SessionBody::Active;
+  for (const SessionBody body : {m_offer.partner, other})
+    if (const QString& file = m_offer.worn[body == SessionBody::Active ? 0 : 1];
+        boxOf(body)->isChecked() && !file.isEmpty())
+      return file;
+  return {};
+}
+
+void ExportDialog::proposeCharacter() {
+  const QString type = m_type->currentData().toString();
+  if (m_filling || !m_mayProposeCharacter || what() != Motion || (type != ".glb" && type != ".vrm")) return;
+  m_character->setFile(worn());
 }
 
 /// A character is written as what it is.
@@ -245,15 +252,14 @@ void ExportDialog::showTypes() {
   m_filling = true;
   m_type->clear();
   if (what() == Plots) {
-    for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(type_words_of(ending), ending);
+    for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(export_type_words(ending), ending);
   } else if (isPerformed()) {
-    m_type->addItem(character_glb, ".glb");
-    m_type->addItem(character_vrm, ".vrm");
+    for (const char* ending : {".glb", ".vrm"}) m_type->addItem(character_type_words(ending), ending);
   } else {
     auto endings = export_types(static_cast<ExportContent>(what()));
     if (what() == Motion) endings = {".glb", ".bvh", ".csv", ".npz", ".npy"};  // what most people want first
     for (const std::string& ending : endings)
-      m_type->addItem(type_words_of(QString::fromStdString(ending)), QString::fromStdString(ending));
+      m_type->addItem(export_type_words(QString::fromStdString(ending)), QString::fromStdString(ending));
   }
   choose(m_type, type);
   m_filling = false;
@@ -286,6 +292,7 @@ ExportRequest ExportDialog::request() const {
     wish.at_s = m_offer.cursor_s;
   else if (m_part->currentData().toString() != "all" || what() == Mesh)
     wish.part = {{}, part().from_s, part().to_s};
+  wish.all_tiers = hasTiers() && m_tiers->currentData().toBool();
   if (hasRate()) wish.rate_hz = m_rate->value();
   if (isPerformed()) wish.character = m_character->file().toStdString();
   if (hasSpace())
@@ -319,45 +326,56 @@ void ExportDialog::settle() {
   showRow(m_character, kind == Motion);
   showRow(m_part, kind != Plots);
   showRow(m_source, kind != Plots);
+  showRow(m_tiers, hasTiers());
   showRow(m_rate, hasRate());
   showRow(m_unit, hasSpace());
   showRow(m_up, hasSpace());
   ExportRequest chosen = request();
-  chosen.wish.output = "file" + chosen.wish.output;
+  chosen.wish.output = "NAME" + chosen.wish.output;
   const QString why_not = trouble(chosen);
-  m_about->setText(why_not.left(1).toUpper() + why_not.mid(1));
-  m_about->setVisible(!why_not.isEmpty());
+  const QString about = why_not.isEmpty() && !chosen.plots ? export_content_words(chosen.wish)
+                                                           : why_not.left(1).toUpper() + why_not.mid(1);
+  m_about->setText(about);
+  m_about->setVisible(!about.isEmpty());
   m_export->setEnabled(why_not.isEmpty());
   const auto estimate = estimate_export(chosen.wish, part().length_s(), stretch().rate_hz);
   m_estimate->setText(chosen.plots     ? QString("The panes of the panel Plots")
-                      : kind == Labels ? "About " + size_words(estimate.bytes)
+                      : kind == Labels ? "About " + export_size_words(estimate.bytes)
                                        : QString("%L1 %2, about %3")
                                              .arg(estimate.frames)
                                              .arg(estimate.frames == 1 ? "frame" : "frames")
-                                             .arg(size_words(estimate.bytes)));
+                                             .arg(export_size_words(estimate.bytes)));
 }
 
 QStringList ExportDialog::choices() const {
   QStringList bodies;
   for (const QCheckBox* body : {m_active, m_passive, m_user})
     if (body->isChecked()) bodies << body->text();
+  if (bodies == QStringList(boxOf(m_offer.partner)->text())) bodies.clear();
+  const QString character = m_character->file();
   return {m_what->currentData().toString(), m_type->currentData().toString(),
           m_part->currentData().toString(), bodies.join('+'),
           QString::number(m_rate->value()), m_unit->currentData().toString(),
-          m_up->currentData().toString(),   m_character->file()};
+          m_up->currentData().toString(),   character == worn() ? QString() : character,
+          m_tiers->currentData().toString()};
 }
 
 void ExportDialog::restore(const QStringList& choices) {
-  if (choices.size() != 8) return;
-  choose(m_what, choices[0].toInt());
-  m_character->setFile(choices[7]);  // the types depend on it
-  choose(m_type, choices[1]);
-  choose(m_part, choices[2]);
-  for (QCheckBox* body : {m_active, m_passive, m_user})
-    body->setChecked(choices[3].split('+').contains(body->text()));
-  m_rate->setValue(choices[4].toDouble());
-  choose(m_unit, choices[5].toDouble());
-  choose(m_up, choices[6] == "true");
+  const bool is_complete = choices.size() == 9;
+  chooseBodies(is_complete ? choices[3].split('+', Qt::SkipEmptyParts) : QStringList());
+  m_character->setFile(is_complete && worn().isEmpty() ? choices[7] : QString());  // the types depend on it
+  if (is_complete) {
+    choose(m_what, choices[0].toInt());
+    choose(m_type, choices[1]);
+    choose(m_part, choices[2]);
+    m_rate->setValue(choices[4].toDouble());
+    choose(m_unit, choices[5].toDouble());
+    choose(m_up, choices[6] == "true");
+    choose(m_tiers, choices[8] == "true");
+  }
+  choose(m_part, "range");
+  m_mayProposeCharacter = m_character->file().isEmpty();
+  proposeCharacter();
 }
 
 }  // namespace abrazo::app

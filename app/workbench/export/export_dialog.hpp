@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,11 +26,13 @@ struct ExportOffer {
     Playback::Range range;
     double rate_hz = 0;
   };
-  std::optional<Stretch> session;        ///< the whole session; none before the first frame
-  std::optional<Playback::Range> range;  ///< between in and out
-  std::optional<double> cursor_s;        ///< time of the shown frame; none if it is not of the session
-  std::vector<Stretch> takes;            ///< of the session
-  std::vector<Stretch> library_takes;    ///< times of the take
+  std::optional<Stretch> session;              ///< the whole session; none before the first frame
+  std::optional<Playback::Range> range;        ///< between in and out
+  std::optional<double> cursor_s;              ///< time of the shown frame; none if it is not of the session
+  std::vector<Stretch> takes;                  ///< of the session
+  std::vector<Stretch> library_takes;          ///< times of the take
+  SessionBody partner = SessionBody::Passive;  ///< the body that answers the user at present
+  std::array<QString, 2> worn;  ///< character files of the scene, leader then follower; empty = capsules
 };
 
 /// The chosen options, without the file.
@@ -55,8 +58,10 @@ class ExportDialog : public QDialog {
   ExportRequest request() const;
   /// Whether the choices go together; if not, the dialog says why.
   bool canExport() const;
-  /// The last choices, for the next start. @see restore
+  /// The last choices, for the next start; what was only proposed is not among them. @see restore
   QStringList choices() const;
+  /// Starts from the last choices, and proposes what the window is set to: the part from in to out, and the
+  /// worn character where the type can hold it. Without choices also the partner as the body.
   void restore(const QStringList& choices);
 
  signals:
@@ -70,16 +75,21 @@ class ExportDialog : public QDialog {
   Playback::Range part() const;
   bool isPerformed() const;
   bool hasSpace() const;
+  bool hasTiers() const;
   bool hasRate() const;
   QString trouble(const ExportRequest& request) const;
   void sourceChanged();
+  QCheckBox* boxOf(SessionBody body) const;
+  void chooseBodies(const QStringList& names);
+  QString worn() const;
+  void proposeCharacter();
   void showTypes();
   void settle();
   void showRow(QWidget* field, bool on);
 
   ExportOffer m_offer;
   QFormLayout* m_form;
-  QComboBox *m_source, *m_what, *m_part, *m_type, *m_unit, *m_up;
+  QComboBox *m_source, *m_what, *m_part, *m_type, *m_tiers, *m_unit, *m_up;
   QWidget* m_bodies;
   CharacterField* m_character;
   QCheckBox *m_user, *m_active, *m_passive;
@@ -87,6 +97,7 @@ class ExportDialog : public QDialog {
   QLabel *m_about, *m_estimate;
   QPushButton* m_export;
   bool m_filling = false;
+  bool m_mayProposeCharacter = false;  ///< until one was proposed, or the field was changed
 };
 
 }  // namespace abrazo::app

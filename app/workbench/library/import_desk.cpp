@@ -91,13 +91,14 @@ void ImportDesk::show(const MotionReading& reading, bool by_rule,
   m_panel = new ImportPanel(reading, &m_window);
   m_panel->setAttribute(Qt::WA_DeleteOnClose);
   m_panel->setColours(m_window.colours());
+  m_panel->setRemembers(m_window.remembered().remembersImports());
   connect(m_panel, &ImportPanel::viewRequested, this,
-          [this](const MotionReading& wanted) { look(wanted, false); });
+          [this](const MotionReading& wanted) { look({wanted}); });
   connect(m_panel, &ImportPanel::jointsRequested, this, &ImportDesk::assignJoints);
   connect(m_panel, &ImportPanel::rulesRequested, this, &ImportDesk::showRules);
   connect(m_panel, &QDialog::accepted, this, &ImportDesk::accept);
   m_panel->open();
-  look(reading, by_rule);
+  look({reading, by_rule, true});
 }
 
 bool ImportDesk::offerOpenOne() {
@@ -110,29 +111,34 @@ bool ImportDesk::offerOpenOne() {
   return true;
 }
 
-void ImportDesk::look(const MotionReading& reading, bool by_rule) {
-  m_next = {reading, by_rule};
+void ImportDesk::look(const Look& next) {
+  m_next = next;
   if (!m_job) lookNext();
 }
 
 /// One view at a time; of several that were requested meanwhile only the last is of use.
 void ImportDesk::lookNext() {
   if (!m_next || !m_panel) return;
-  const auto [reading, by_rule] = *std::exchange(m_next, std::nullopt);
   const std::string folder = m_window.remembered().importRuleFolder().toStdString();
-  auto work = [this, reading = reading, by_rule = by_rule, folder, preview = m_preview,
+  auto work = [this, next = *std::exchange(m_next, std::nullopt), folder, preview = m_preview,
                panel = m_panel](const Progress& progress) -> Job::Finish {
+    const MotionReading& reading = next.reading;
     auto view = std::make_shared<ImportView>(preview->look(reading, progress));
-    if (by_rule) {
+    bool has_rule = false;
+    if (next.is_first) {
       const StoredRules stored = import_rules(folder);
-      if (const ImportRule* rule = rule_for(stored.rules, reading.file, view->layout)) {
+      const ImportRule* rule = rule_for(stored.rules, reading.file, view->layout);
+      has_rule = rule != nullptr;
+      if (rule && next.by_rule) {
         MotionReading ruled = rule->how;
         ruled.file = reading.file, ruled.skeleton = reading.skeleton;
         *view = preview->look(ruled, progress);
       }
     }
-    return [this, view, panel] {
-      if (panel && panel == m_panel && !m_next) panel->show(*view);
+    return [this, view, has_rule, panel] {
+      if (!panel || panel != m_panel) return;
+      if (has_rule) panel->setRemembers(true);  // it would be forgotten otherwise
+      if (!m_next) panel->show(*view);
     };
   };
   m_job = std::make_unique<Job>(std::move(work));
@@ -176,6 +182,7 @@ bool ImportDesk::remember(const MotionReading& reading) {
 
 void ImportDesk::accept() {
   const ImportView view = m_panel->view();
+  m_window.remembered().setRemembersImports(m_panel->remembers());
   if (remember(view.reading)) m_accepted(view);
 }
 

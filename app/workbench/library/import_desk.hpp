@@ -41,7 +41,12 @@ class ImportDesk : public QObject {
   /// @param accepted  called with the accepted values
   void show(const MotionReading& reading, bool by_rule, std::function<void(const ImportView&)> accepted);
   void open(const QStringList& files, const MotionReading& reading);
-  void look(const MotionReading& reading, bool by_rule);
+  struct Look {
+    MotionReading reading;
+    bool by_rule = false;   ///< from the rule for similar files
+    bool is_first = false;  ///< of the panel
+  };
+  void look(const Look& next);
   void lookNext();
   void assignJoints(const UnmappedMotion& motion);
   void accept();
@@ -52,10 +57,6 @@ class ImportDesk : public QObject {
   QPointer<MappingDialog> m_mapping;
   std::function<void(const ImportView&)> m_accepted;
   std::shared_ptr<ImportPreview> m_preview;  ///< used by one job at a time
-  struct Look {
-    MotionReading reading;
-    bool by_rule = false;  ///< from the rule for similar files
-  };
   std::optional<Look> m_next;
   std::unique_ptr<Job> m_job;
 };

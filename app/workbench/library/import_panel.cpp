@@ -78,6 +78,7 @@ ImportPanel::ImportPanel(const MotionReading& reading, QWidget* parent)
   setWindowTitle("Import motion · " + QFileInfo(QString::fromStdString(reading.file)).fileName());
   resize_within_screen(*this, {1180, 700});
   auto* column = widgets::column_in(this, {}, 0);
+  column->addWidget(makeReason());
   auto* row = widgets::nested_row({}, 0);
   row->addWidget(makeFileColumn());
   row->addWidget(makePicture(), 1);
@@ -104,6 +105,19 @@ QComboBox* ImportPanel::addField(QVBoxLayout* column, const QString& name, bool 
   row->addWidget(field, 1);
   column->addWidget(box);
   return field;
+}
+
+/// Why a person is asked, before everything that can be answered.
+QWidget* ImportPanel::makeReason() {
+  m_reason = new QLabel(this);
+  m_reason->setObjectName("reason");
+  m_reason->setAccessibleName("Reason");
+  m_reason->setWordWrap(true);
+  m_reason->setTextFormat(Qt::PlainText);
+  m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_reason->setContentsMargins(12, 8, 12, 8);
+  m_reason->hide();
+  return m_reason;
 }
 
 QWidget* ImportPanel::makeFileColumn() {
@@ -216,7 +230,6 @@ QWidget* ImportPanel::makeFoot() {
   foot->setObjectName("panel");
   auto* row = widgets::row_in(foot, {12, 10, 12, 10});
   m_remember = new QCheckBox("Do the same for files like this one", foot);
-  m_remember->setChecked(true);
   m_remember->setToolTip("Files with the same points in this folder, or with a similar name: " +
                          QString::fromStdString(name_pattern(m_reading.file)));
   auto* rules = new QPushButton("Rules…", foot);
@@ -260,8 +273,8 @@ void ImportPanel::setColours(const widgets::Palette& palette) {
   m_picture->setColours(palette);
   for (auto* header : findChildren<widgets::SectionHeader*>()) header->setColours(palette);
   m_play->setIcon(widgets::icon(widgets::Icon::Play, palette.text));
-  setStyleSheet(QString("QLabel#warnings { color: %1; background: %2; border: 1px solid %1; "
-                        "border-radius: 5px; }")
+  setStyleSheet(QString("QLabel#warnings, QLabel#reason { color: %1; background: %2; border: 1px solid %1; } "
+                        "QLabel#warnings { border-radius: 5px; }")
                     .arg(palette.warning.name(), widgets::mixed(palette.warning, palette.panel, 0.1).name()));
   if (!m_isWaiting) showJoints();
 }
@@ -274,8 +287,15 @@ bool ImportPanel::remembers() const {
   return m_remember->isChecked();
 }
 
+QString ImportPanel::reason() const {
+  return m_reason->isHidden() ? QString() : m_reason->text();
+}
+
 QString ImportPanel::warnings() const {
-  return m_warnings->isHidden() ? QString() : m_warnings->text();
+  QStringList all;
+  for (const QLabel* label : {m_reason, m_warnings})
+    if (!label->isHidden()) all << label->text();
+  return all.join("\n\n");
 }
 
 void ImportPanel::chooseJoints(const QString& name_or_file) {
@@ -335,6 +355,7 @@ void ImportPanel::show(const ImportView& view) {
   m_assign->setVisible(view.unmapped != nullptr);
   showFields();
   showJoints();
+  showReason();
   showWarnings();
   showSpace();
   const int last = view.is_readable() ? static_cast<int>(view.imported.clip.poses.size()) - 1 : 0;
@@ -433,10 +454,19 @@ void ImportPanel::showJoints() {
   }
 }
 
+void ImportPanel::showReason() {
+  QStringList lines;
+  if (m_view.trouble) lines << "The file cannot be read: " + words(*m_view.trouble);
+  for (const std::string& question : m_view.questions())
+    lines << "Please check: " + widgets::text(question) + ".";
+  m_reason->setText(lines.join("\n"));
+  m_reason->setVisible(!lines.isEmpty());
+}
+
 void ImportPanel::showWarnings() {
   QStringList lines;
-  if (m_view.trouble) lines << words(*m_view.trouble);
-  for (const ImportWarning& warning : m_view.imported.report.warnings) lines << widgets::text(warning.detail);
+  for (const ImportWarning& warning : m_view.imported.report.warnings)
+    if (!warning.asks) lines << widgets::text(warning.detail);
   m_warnings->setText(lines.join("\n\n"));
   m_warnings->parentWidget()->parentWidget()->setVisible(!lines.isEmpty());
   m_warnings->setVisible(!lines.isEmpty());

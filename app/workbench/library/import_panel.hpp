@@ -40,6 +40,9 @@ class ImportPanel : public QDialog {
   /// Waits for a view that was requested.
   bool isWaiting() const { return m_isWaiting; }
   widgets::MotionPicture& picture() { return *m_picture; }
+  /// Why a person is asked: what the file leaves open, or why it cannot be read. Empty: nothing is open.
+  QString reason() const;
+  /// The reason, and what else the file's reader warns of.
   QString warnings() const;
   /// Uses a joint map or marker model, by its name or file.
   void chooseJoints(const QString& name_or_file);
@@ -52,6 +55,7 @@ class ImportPanel : public QDialog {
   void rulesRequested();
 
  private:
+  QWidget* makeReason();
   QWidget* makeFileColumn();
   QWidget* makePicture();
   QWidget* makeSpaceColumn();
@@ -63,6 +67,7 @@ class ImportPanel : public QDialog {
   void refuse(QComboBox* field, const QString& why);
   void showFields();
   void showJoints();
+  void showReason();
   void showWarnings();
   void showSpace();
   void showFrame();
@@ -74,6 +79,7 @@ class ImportPanel : public QDialog {
   widgets::Palette m_palette;
   QComboBox *m_performer = nullptr, *m_animation = nullptr, *m_order = nullptr;
   QComboBox *m_unit = nullptr, *m_up = nullptr, *m_rate = nullptr, *m_floor = nullptr, *m_joints = nullptr;
+  QLabel* m_reason = nullptr;
   QLabel *m_file = nullptr, *m_facts = nullptr, *m_height = nullptr, *m_toes = nullptr;
   QLabel *m_found = nullptr, *m_warnings = nullptr, *m_time = nullptr, *m_state = nullptr;
   QTableWidget* m_table = nullptr;

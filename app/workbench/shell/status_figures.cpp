@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/statistics.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -37,7 +38,7 @@ void StatusFigures::setColours(const widgets::Palette& palette) {
 }
 
 void StatusFigures::setInput(const Input& input, int library_pairs) {
-  m_input = input;
+  showInput(input);
   m_pairs = library_pairs;
   m_nextIndex = 0;
   m_solve_us.clear();
@@ -48,6 +49,7 @@ void StatusFigures::setInput(const Input& input, int library_pairs) {
 void StatusFigures::showInput(const Input& input) {
   if (input == m_input) return;
   m_input = input;
+  setToolTip(widgets::plain_tip(input.name));
   update();
 }
 
@@ -128,7 +130,9 @@ void StatusFigures::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(state);
   painter.drawEllipse(QPointF(16, height() / 2.0), 4, 4);
-  x += draw(x, m_input.name, plain, state) + 22;
+  // A long name leaves room for the figures; it is in the tooltip.
+  const QString name = QFontMetricsF(plain).elidedText(m_input.name, Qt::ElideRight, width() / 3.0);
+  x += draw(x, name, plain, state) + 22;
   for (const Figure& figure : m_left) {
     if (x + wide(figure) > right) break;  // rather nothing than two texts over one another
     const double after = x + wide(figure);

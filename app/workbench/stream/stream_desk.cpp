@@ -14,6 +14,7 @@
 #include "widgets/stream/connection_panel.hpp"
 #include "widgets/stream/scene_notice.hpp"
 #include "widgets/stream/sink_list.hpp"
+#include "widgets/stream/stream_words.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app {
@@ -26,15 +27,6 @@ using widgets::StreamMark;
 
 constexpr int poll_ms = 250, calibration_ms = 50;
 constexpr int most_recent_streams = 8;
-
-/// "vmc 39539": the scheme, and the port that is really bound.
-QString short_name(const StreamHealth& health) {
-  const QString uri = QString::fromStdString(health.uri);
-  const QString bound = QString::fromStdString(health.listening).section(':', -1);
-  const auto parsed = parse_stream_uri(health.uri);
-  const QString port = bound.isEmpty() && parsed ? QString::number(parsed->port) : bound;
-  return uri.section(':', 0, 0) + " " + port;
-}
 
 /// Why nothing of use comes in.
 QString short_state(const StreamHealth& health) {
@@ -331,19 +323,25 @@ void StreamDesk::showInput() {
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
-  const QString name = short_name(*m_health) + (comes ? QString() : " " + short_state(*m_health));
-  nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name);
+  const QString name = streamName() + (comes ? QString() : " · " + short_state(*m_health));
+  nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name,
+            QString::fromStdString(widgets::headline_of(&*m_health).detail));
   m_window.transport().showInputComes(comes);
   m_window.status().showInput(
       {name, comes, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
   m_window.sceneTree().setInputName("stream");
 }
 
+/// The stream by its performer and sender.
+QString StreamDesk::streamName() const {
+  return QString::fromStdString(widgets::stream_name(*m_health, user().toStdString()));
+}
+
 /// Only when it is another: others may write there, too.
-void StreamDesk::nameInput(const QString& words) {
+void StreamDesk::nameInput(const QString& words, const QString& detail) {
   if (words == m_inputWords) return;
   m_inputWords = words;
-  m_window.transport().setInput(words);
+  m_window.transport().setInput(words, detail);
 }
 
 /// The notice over the scene; none for past frames.
@@ -360,9 +358,9 @@ void StreamDesk::showNotice() {
     case StreamHealth::State::Waiting:
       return m_notice->say({}, "Waiting for the first packet of " + m_uri, advice);
     case StreamHealth::State::Stalled:
-      return m_notice->badge(StreamMark::Warning, "No more packets from " + short_name(*m_health));
+      return m_notice->badge(StreamMark::Warning, "No more packets: " + streamName());
     case StreamHealth::State::Failed:
-      return m_notice->badge(StreamMark::Bad, short_name(*m_health) + " failed. " + advice);
+      return m_notice->badge(StreamMark::Bad, streamName() + " failed. " + advice);
     case StreamHealth::State::Receiving:
       break;
   }

@@ -89,7 +89,8 @@ class StreamDesk : public QObject {
   void sendTo(const StreamUri& uri, Character character);
   void beginSession();
   void showInput();
-  void nameInput(const QString& words);
+  void nameInput(const QString& words, const QString& detail = {});
+  QString streamName() const;
   void showNotice();
   void advanceCalibration();
   const PerformerHealth* userHealth() const;

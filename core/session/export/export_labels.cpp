@@ -13,7 +13,7 @@ namespace {
 /// A label file counts frames from the beginning of each take; all others have the tiers in seconds.
 Result<TierText> label_text(const SessionRecord& session, const std::vector<Tier>& tiers,
                             const SessionRange& range, const ExportWish& wish) {
-  if (wish.output.ends_with(".csv")) return session_labels_csv(session, range, wish.rate_hz);
+  if (wish.is_label_file()) return session_labels_csv(session, range, wish.rate_hz);
   const SessionContents& contents = session.contents();
   TierWriting writing;
   writing.author = contents.program;
@@ -47,7 +47,7 @@ Result<ExportReport> export_labels(const ExportSource& source, const ExportWish&
     done.figures.key("intervals").value(static_cast<long long>(tier.intervals.size())).end_object();
   }
   done.figures.end_array();
-  if (wish.output.ends_with(".csv")) {
+  if (wish.is_label_file()) {
     const auto rows = parse_csv(content->text, wish.output);
     if (!rows) return rows.error();
     const std::size_t lines = rows->size() - 1;

@@ -26,11 +26,16 @@ struct ExportWish {
   double rate_hz = 0;                                    ///< 0 = as recorded; for a mesh series an upper
                                                          ///< limit
   ClipFileSpace space = {};                              ///< motion only
+  bool all_tiers = false;  ///< labels as .csv: every tier, in seconds; else the moves, in frames of each take
   std::string output = {};
   std::string character = {};  ///< motion: a GLB or VRM that performs it, in OUT_BODY for each body; empty =
                                ///< none
 
   bool one_mesh() const { return content == ExportContent::Mesh && (at_s || at_frame); }
+  /// Whether it is a label file of the moves: see session_labels_csv.
+  bool is_label_file() const {
+    return content == ExportContent::Labels && output.ends_with(".csv") && !all_tiers;
+  }
   /// The files that are written: the output, or with a character OUT_BODY for each body. Not those that
   /// belong to a series.
   std::vector<std::string> files() const;

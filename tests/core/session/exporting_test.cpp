@@ -148,6 +148,29 @@ TEST_F(Exporting, WhatAPersonSaidComesWithTheSessionsOwnTiers) {
   EXPECT_THAT(text("l.csv"), HasSubstr(",turn,"));
 }
 
+TEST_F(Exporting, ATableOfAllTiersIsReadAgainAsWhatItWas) {
+  const std::vector<Tier> noted = {
+      {"role", {{0, 0.5, "a"}, {0.5, 1, "b"}}, {}, TierKind::Role},
+      {"moves", {{0.1, 0.6, "turn, slowly", "with both hands", "high"}}, {{"turn, slowly"}}, TierKind::Move},
+      {"steps of both", {{0.2, 0.3, "left"}, {0.3, 1 / 3.0, "right"}}, {}, TierKind::Note}};
+  ExportWish table = wish(ExportContent::Labels, "l.csv");
+  table.all_tiers = true;
+  const auto made = source(noted);
+  const auto done = export_session(*made, table);
+  ASSERT_TRUE(done) << done.error().text();
+  const auto read = read_tiers(folder / "l.csv", {});
+  ASSERT_TRUE(read) << read.error().text();
+  std::map<std::string, std::vector<TierInterval>> written, found;
+  const auto tiers = made->tiers(*session_range(made->record(), {}));
+  for (const Tier& tier : *tiers)
+    if (!tier.intervals.empty()) written[tier.name] = tier.intervals;
+  for (const Tier& tier : read->tiers) found[tier.name] = tier.intervals;
+  EXPECT_EQ(found, written) << "to the bit";
+  for (const char* name : {"role", "moves", "steps of both", "take", "user role", "marker"})
+    EXPECT_TRUE(found.contains(name)) << name;
+  EXPECT_THAT(done->text, HasSubstr("2 steps of both"));
+}
+
 TEST_F(Exporting, ATakeOfTheLibraryIsExportedAsItWasRecorded) {
   const auto library = test::session_library();
   const std::string take = library->takes().front().name;

@@ -153,12 +153,20 @@ void FrameFacts::setColours(const Palette& palette) {
   update();
 }
 
-void FrameFacts::show(const QString& first, const QString& second, const QString& trouble) {
+void FrameFacts::show(const Line& first, const QString& second, const QString& trouble) {
   if (first == m_first && second == m_second && trouble == m_trouble) return;
   m_first = first;
   m_second = second;
   m_trouble = trouble;
   update();
+}
+
+QString FrameFacts::firstLine() const {
+  const QFontMetrics metrics(interface_font(13));
+  const int room = width() - 8;
+  return metrics.horizontalAdvance(m_first.whole) <= room
+             ? m_first.whole
+             : metrics.elidedText(m_first.brief, Qt::ElideRight, room);
 }
 
 void FrameFacts::paintEvent(QPaintEvent*) {
@@ -168,7 +176,7 @@ void FrameFacts::paintEvent(QPaintEvent*) {
   const auto fitting = [this, &painter](const QString& line) {
     return painter.fontMetrics().elidedText(line, Qt::ElideRight, width() - 8);
   };
-  draw_tabular(painter, QRectF(0, 20, width(), 18), Qt::AlignLeft, fitting(m_first));
+  draw_tabular(painter, QRectF(0, 20, width(), 18), Qt::AlignLeft, firstLine());
   draw_tabular(painter, QRectF(0, 38, width(), 18), Qt::AlignLeft, fitting(m_second));
   painter.setPen(m_palette.warning);
   painter.drawText(QRectF(0, 2, width(), 18), Qt::AlignLeft | Qt::AlignVCenter, fitting(m_trouble));

@@ -49,17 +49,25 @@ class ScalarChips : public QWidget {
 class FrameFacts : public QWidget {
   Q_OBJECT
  public:
+  /// A line, and what is shown of it where it does not fit.
+  struct Line {
+    QString whole, brief;
+    bool operator==(const Line&) const = default;
+  };
   explicit FrameFacts(QWidget* parent);
   void setColours(const Palette& palette);
   /// @param trouble shown in the warning colour; empty = none
-  void show(const QString& first, const QString& second, const QString& trouble);
+  void show(const Line& first, const QString& second, const QString& trouble);
+  /// As it is drawn.
+  QString firstLine() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   Palette m_palette;
-  QString m_first, m_second, m_trouble;
+  Line m_first;
+  QString m_second, m_trouble;
 };
 
 }  // namespace abrazo::widgets

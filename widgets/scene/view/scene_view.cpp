@@ -238,15 +238,21 @@ void SceneView::updateFacts() {
   const FrameResult& result = frame.result;
   const int steps = step_count(frame), step = morphStep();
   const QString way = QString::fromStdString(step_text(frame, step));
-  QString first = QString("frame %1 · %2").arg(frame.index).arg(seconds(frame.time_s));
-  if (steps > 1) first += " · morph step " + way;
+  const QString place = QString("frame %1 · %2").arg(frame.index).arg(seconds(frame.time_s));
+  FrameFacts::Line first{place, place};
+  const auto add = [&first](const QString& whole, const QString& brief) {
+    first.whole += " · " + whole;
+    first.brief += " · " + brief;
+  };
+  if (steps > 1) add("morph step " + way, "step " + way);
   p.morph->showStep(step, steps, way);
   const bool filters = p.options.shortest_m > 0 || p.options.longest_m < MeshFilter::no_limit ||
                        (p.options.isolates && selection().is_of_mesh()) || !p.hidden.empty();
-  if (filters)
-    first += QString(" · filter: %1 of %2 edges")
-                 .arg(p.actors.mesh().shownEdges().size())
-                 .arg(result.edges.size());
+  if (filters) {
+    const QString edges =
+        QString("%1 of %2 edges").arg(p.actors.mesh().shownEdges().size()).arg(result.edges.size());
+    add("filter: " + edges, edges);
+  }
   QString second = result.candidates.empty() ? "" : "no source";
   if (const int pair = selected_pair(frame, p.library); p.library && pair >= 0) {
     const std::string_view label = p.library->label(pair);
@@ -257,7 +263,8 @@ void SceneView::updateFacts() {
       second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
   if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0)
-    first += QString(" · %1 of %2 tetrahedra inverted").arg(inverted).arg(result.tetrahedra.size());
+    add(QString("%1 of %2 tetrahedra inverted").arg(inverted).arg(result.tetrahedra.size()),
+        QString("%1 inverted").arg(inverted));
   p.facts->show(first, second,
                 result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
 }
