@@ -236,7 +236,7 @@ TEST(SceneMemory, StartsUncutAndUnfilteredByASelection) {
 TEST(SceneMemory, KeepsForAnotherSessionHowTheSceneIsDrawnAndNotWhatOfItIsShown) {
   SceneMemory memory;
   memory.visibility[static_cast<std::size_t>(ScenePart::Follower)] = false;
-  memory.scalar = MeshScalar::Energy;
+  memory.scalar = MeshScalar::EnergyShare;
   memory.options.map = ColourMap::Cividis;
   memory.options.longest_m = 0.8;
   SceneMemory drawn = memory;

@@ -157,13 +157,13 @@ TEST_F(CompareInTheWindow, AIsOfItsSessionAlone) {
   EXPECT_FALSE(desk().shown());
   EXPECT_FALSE(action("Live keeps A")->isChecked());
   EXPECT_FALSE(action("Swap A and B")->isEnabled());
-  window().document().changeSetting("velocity-weight", "3");
-  EXPECT_TRUE(until([] { return live().settings.velocity_weight == 3; })) << "live is not held any longer";
+  window().document().changeSetting("velocity-weight", "1.5");
+  EXPECT_TRUE(until([] { return live().settings.velocity_weight == 1.5; })) << "live is not held any longer";
   window().undoStack().undo();
   window().undoStack().undo();
   EXPECT_FALSE(desk().frozen()) << "the swap was of the session before";
   trigger("Freeze the settings as A");
-  window().document().changeSetting("velocity-weight", "2.5");
+  window().document().changeSetting("velocity-weight", "1.2");
   EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 10; })) << "it runs anew";
 }
 

@@ -4,7 +4,9 @@
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLState.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProp.h>
@@ -64,6 +66,14 @@ bool draws_something(vtkProp& prop) {
   auto* actor = vtkActor::SafeDownCast(&prop);
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   return !mapper || !mapper->GetInput() || mapper->GetInput()->GetNumberOfPoints() > 0;
+}
+
+/// By default VTK computes the range of all points with every upload, to move those far from the origin near
+/// it. These are floats already, so that it would bring no digits back, and they change with every picture.
+void upload_as_they_are(vtkProp& prop) {
+  auto* actor = vtkActor::SafeDownCast(&prop);
+  if (auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr)
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
 }
 
 }  // namespace
@@ -209,6 +219,7 @@ void GlSurface::compileNothing() {
 void GlSurface::drawOnly(vtkProp* prop, bool smooth) {
   const std::vector<vtkProp*> props = shown_props(*m_window);
   const std::vector<vtkRenderer*> layers = layers_of(*m_window);
+  if (prop) upload_as_they_are(*prop);
   std::vector<bool> smoothed;
   for (vtkRenderer* layer : layers) smoothed.push_back(layer->GetUseFXAA());
   if (!smooth)
@@ -252,7 +263,10 @@ void GlSurface::draw() {
   }
   if (pixels.isEmpty() || !m_window || !start()) return;
   makeRoom(pixels);
-  for (vtkProp* prop : uncompiled()) m_compiled.insert(prop);
+  for (vtkProp* prop : uncompiled()) {
+    upload_as_they_are(*prop);
+    m_compiled.insert(prop);
+  }
   m_stage = Stage::HasSmoothing;
   m_smallBuffers.clear();  // VTK makes what is missing
   m_window->Render();

@@ -1,6 +1,7 @@
 #include "widgets/scene/actors/scene_stage.hpp"
 
 #include <vtkCamera.h>
+#include <vtkCullerCollection.h>
 #include <vtkFXAAOptions.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -32,6 +33,9 @@ SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>(sur
   for (vtkRenderer* renderer : {p.solid.Get(), p.in_front.Get(), p.topmost.Get()}) {
     renderer->SetActiveCamera(p.solid->GetActiveCamera());
     renderer->AutomaticLightCreationOff();
+    // They leave out what is outside the picture, which here is hardly ever the case, and need the bounds of
+    // all points with every picture.
+    renderer->GetCullers()->RemoveAllItems();
     p.window->AddRenderer(renderer);
   }
   // Cheap settings: on a software renderer the search for the ends of edges is most of the cost.
