@@ -4,7 +4,11 @@
 #include <QLabel>
 #include <QSlider>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
 #include <QWheelEvent>
+#include <algorithm>
+#include <vector>
 
 #include "core/motion/body/joint_set.hpp"
 #include "core/session/frames/frame_history.hpp"
@@ -117,6 +121,44 @@ TEST(SceneView, WhoeverGrabsItDoesNotWaitForTheNextTurn) {
 }
 
 /// Frame buffers are larger than the picture and kept: what is drawn does not depend on the sizes before.
+/// Notes the newest frame when the scene is painted, which takes at least `paint_ms`.
+class SlowPaint : public QObject {
+ public:
+  static constexpr int paint_ms = 5;
+  std::uint64_t newest = 0;
+  std::vector<std::uint64_t> painted;
+
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Paint) return false;
+    painted.push_back(newest);
+    QThread::msleep(paint_ms);
+    return false;
+  }
+};
+
+/// The next frame comes while a picture is painted, before its time is told.
+TEST(SceneView, TellsOfAPictureItsOwnFrameAndTimeThoughTheNextOneIsDue) {
+  Scene scene({ScenePart::Leader});
+  (void)picture_of(scene.view);
+  SlowPaint paint;
+  scene.surface()->installEventFilter(&paint);
+  QTimer frames;
+  QObject::connect(&frames, &QTimer::timeout, [&] {
+    ++paint.newest;
+    scene.view.showFrame(synthetic_frame(paint.newest, 0.05 + 0.01 * static_cast<double>(paint.newest)));
+  });
+  std::vector<std::uint64_t> drawn;
+  QObject::connect(&scene.view, &SceneView::pictureDrawn, [&](const FrameSnapshotPtr& frame, double took_ms) {
+    EXPECT_GE(took_ms, SlowPaint::paint_ms);
+    drawn.push_back(frame->index);
+  });
+  frames.start(1);
+  ASSERT_TRUE(QTest::qWaitFor([&drawn] { return drawn.size() > 4; }, 30'000));
+  for (const std::uint64_t index : drawn)
+    EXPECT_TRUE(std::ranges::find(paint.painted, index) != paint.painted.end()) << index;
+  scene.surface()->removeEventFilter(&paint);
+}
+
 TEST(SceneView, ShowsTheSameAfterItHadOtherSizes) {
   Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});
   const auto picture = [&scene](const QSize& size) {

@@ -47,7 +47,8 @@ void StartTimes::reached(const char* stage) {
 void StartTimes::follow(Document& document, FrameTicker& ticker, widgets::SceneView& scene) {
   connect(&document, &Document::began, this, [this] { reached("library ready"); });
   connect(&ticker, &FrameTicker::frameReady, this, [this] { reached("first frame solved"); });
-  connect(&scene, &widgets::SceneView::pictureDrawn, this, [this, &ticker] { pictureDrawn(ticker.shown()); });
+  connect(&scene, &widgets::SceneView::pictureDrawn, this,
+          [this](const FrameSnapshotPtr& frame) { pictureDrawn(frame); });
 }
 
 void StartTimes::pictureDrawn(const FrameSnapshotPtr& shown) {

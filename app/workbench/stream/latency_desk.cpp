@@ -95,14 +95,13 @@ void LatencyDesk::refresh() {
 }
 
 /// The latency to the screen counts only for frames shown live.
-void LatencyDesk::pictureDrawn(double took_ms) {
-  const FrameSnapshotPtr& shown = m_window.ticker().shown();
-  if (!shown || !m_window.session() || m_window.session()->looksElsewhere()) return;
+void LatencyDesk::pictureDrawn(const FrameSnapshotPtr& frame, double took_ms) {
+  if (!frame || !m_window.session() || m_window.session()->looksElsewhere()) return;
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;
-  const double arrived_s = shown->times.arrived_s;
+  const double arrived_s = frame->times.arrived_s;
   const double age_s = m_window.session()->engine().clock().now_s() - arrived_s;
   if (m_window.ticker().history()) m_log.follow(*m_window.ticker().history());
-  m_log.drawn(shown->index, took_ms, follows && arrived_s >= 0 ? 1000 * age_s : LatencySample::none);
+  m_log.drawn(frame->index, took_ms, follows && arrived_s >= 0 ? 1000 * age_s : LatencySample::none);
 }
 
 }  // namespace abrazo::app

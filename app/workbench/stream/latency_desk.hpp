@@ -27,7 +27,7 @@ class LatencyDesk : public QObject {
  private:
   void makePanel();
   void refresh();
-  void pictureDrawn(double took_ms);
+  void pictureDrawn(const abrazo::FrameSnapshotPtr& frame, double took_ms);
   bool isPanelSeen() const;
 
   MainWindow& m_window;

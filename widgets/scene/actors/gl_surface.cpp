@@ -7,14 +7,11 @@
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLState.h>
 #include <vtkOpenGLVertexBufferObject.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProp.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
@@ -22,6 +19,9 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
+
+#include "widgets/scene/actors/empty_culler.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -59,13 +59,6 @@ std::vector<vtkProp*> shown_props(vtkRenderWindow& window) {
 int room_for(int wanted_px, int there_px) {
   const bool is_kept = wanted_px <= there_px && there_px <= 2 * wanted_px + room_step_px;
   return is_kept ? there_px : (wanted_px + room_step_px - 1) / room_step_px * room_step_px;
-}
-
-/// Nothing is compiled for an actor without geometry.
-bool draws_something(vtkProp& prop) {
-  auto* actor = vtkActor::SafeDownCast(&prop);
-  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  return !mapper || !mapper->GetInput() || mapper->GetInput()->GetNumberOfPoints() > 0;
 }
 
 /// By default VTK computes the range of all points with every upload, to move those far from the origin near
@@ -128,8 +121,10 @@ bool GlSurface::start() {
   return true;
 }
 
-void GlSurface::requestPicture() {
+void GlSurface::requestPicture(Shown shown) {
   m_stale = true;
+  m_shown = std::move(shown);
+  m_sinceRequest.start();
   update();
 }
 
@@ -317,8 +312,11 @@ void GlSurface::paintEvent(QPaintEvent*) {
     });
   }
   painter.drawImage(0, 0, picture());
-  // Reported when the window has it.
-  if (is_requested && shown) QTimer::singleShot(0, this, [this] { shown(); });
+  if (!is_requested || !m_shown) return;
+  // Reported when the window has it. The next picture may have been requested by then.
+  QTimer::singleShot(0, this, [shown = std::exchange(m_shown, {}), since_request = m_sinceRequest] {
+    shown(static_cast<double>(since_request.nsecsElapsed()) * 1e-6);
+  });
 }
 
 /// The picture before, in the middle: it may have another size.

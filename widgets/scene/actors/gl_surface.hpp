@@ -2,6 +2,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -42,12 +43,11 @@ class GlSurface : public QWidget {
   std::function<void()> letGo;
   /// Pressed and released at the same position.
   std::function<void(QPointF place)> clicked;
-  /// A requested picture is in the window.
-  std::function<void()> shown;
-
   void setRenderWindow(vtkGenericOpenGLRenderWindow* window);
-  /// Draws with the window's next repaint; several requests give one picture.
-  void requestPicture();
+  /// Called when a requested picture is in the window. @param took_ms  since its request
+  using Shown = std::function<void(double took_ms)>;
+  /// Draws with the window's next repaint; several requests give one picture, that of the last.
+  void requestPicture(Shown shown = {});
   /// The requested picture, drawn now; in pixels of the screen.
   const QImage& picture();
 
@@ -90,6 +90,8 @@ class GlSurface : public QWidget {
   std::vector<quint32> m_fetched;  ///< as OpenGL gives it: from the bottom, red first
   QImage m_picture;
   bool m_stale = true;
+  Shown m_shown;  ///< of the requested picture
+  QElapsedTimer m_sinceRequest;
   bool m_isStarted = false;
   QPointF m_last, m_pressed;
   bool m_isClick = false, m_isTaken = false;

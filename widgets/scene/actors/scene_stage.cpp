@@ -8,7 +8,9 @@
 #include <vtkRenderer.h>
 
 #include <cmath>
+#include <utility>
 
+#include "widgets/scene/actors/empty_culler.hpp"
 #include "widgets/scene/actors/gl_surface.hpp"
 
 namespace abrazo::widgets {
@@ -33,9 +35,8 @@ SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>(sur
   for (vtkRenderer* renderer : {p.solid.Get(), p.in_front.Get(), p.topmost.Get()}) {
     renderer->SetActiveCamera(p.solid->GetActiveCamera());
     renderer->AutomaticLightCreationOff();
-    // They leave out what is outside the picture, which here is hardly ever the case, and need the bounds of
-    // all points with every picture.
     renderer->GetCullers()->RemoveAllItems();
+    renderer->AddCuller(vtkNew<EmptyCuller>());
     p.window->AddRenderer(renderer);
   }
   // Cheap settings: on a software renderer the search for the ends of edges is most of the cost.
@@ -77,10 +78,10 @@ void SceneStage::applyCamera() {
     cut_away(layer, camera.plane);
 }
 
-void SceneStage::render(bool smooth) {
+void SceneStage::render(bool smooth, std::function<void(double took_ms)> shown) {
   m_parts->topmost->SetUseFXAA(smooth);
   applyCamera();
-  m_parts->surface.requestPicture();
+  m_parts->surface.requestPicture(std::move(shown));
 }
 
 }  // namespace abrazo::widgets

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "widgets/common/palette.hpp"
@@ -22,7 +23,8 @@ class SceneStage {
 
   void setColours(const Palette& palette, double pixel_ratio);
   /// @param smooth anti-aliasing; expensive with a software renderer
-  void render(bool smooth);
+  /// @param shown  called when the picture is in the window, with the time it took [ms]
+  void render(bool smooth, std::function<void(double took_ms)> shown);
 
   SceneActors actors;
   PickActors picks;

@@ -69,12 +69,6 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   wireOverlay();
   wirePointer();
   wireCut();
-  p.surface->shown = [this] {
-    ++m_parts->rendered;
-    const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;
-    m_parts->budget.took(m_parts->smoothed, took_ms);
-    emit pictureDrawn(took_ms);
-  };
   p.standstill.setSingleShot(true);
   p.standstill.setInterval(standstill_ms);
   connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);

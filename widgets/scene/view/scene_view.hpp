@@ -121,8 +121,9 @@ class SceneView : public QWidget {
   void selectionRequested(const abrazo::widgets::Selection& selection);
   /// The candidate whose ghost is hovered, index into the frame's; -1 = the pointer left.
   void candidateHovered(int candidate);
-  /// A picture reached the screen `took_ms` after its start.
-  void pictureDrawn(double took_ms);
+  /// A picture of this frame, which may be null, reached the screen `took_ms` after its start. Another frame
+  /// may be shown by then.
+  void pictureDrawn(abrazo::FrameSnapshotPtr frame, double took_ms);
 
  protected:
   bool event(QEvent* event) override;

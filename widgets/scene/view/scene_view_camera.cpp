@@ -135,10 +135,14 @@ void SceneView::render() {
   placeTags();
   placeCutHandles();
   const bool moving = p.since_render.isValid() && p.since_render.elapsed() < moving_ms;
-  p.smoothed = p.budget.wants_smoothing(moving);
-  if (!p.smoothed) p.standstill.start();
+  const bool smooth = p.budget.wants_smoothing(moving);
+  if (!smooth) p.standstill.start();
   p.since_render.start();
-  p.stage.render(p.smoothed);
+  p.stage.render(smooth, [this, smooth, frame = p.frame](double took_ms) {
+    ++m_parts->rendered;
+    m_parts->budget.took(smooth, took_ms);
+    emit pictureDrawn(frame, took_ms);
+  });
 }
 
 void SceneView::renderSharp() {

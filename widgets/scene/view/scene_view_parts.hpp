@@ -87,7 +87,6 @@ struct SceneView::Parts {
   Vec3 reference_offset = Vec3::Zero();
   std::uint64_t rendered = 0;
   SmoothingBudget budget;
-  bool smoothed = true;
   QElapsedTimer since_render, since_follow;
   QTimer standstill;  ///< expires if no picture follows one without anti-aliasing
 
