@@ -121,6 +121,15 @@ TEST(SceneView, WhoeverGrabsItDoesNotWaitForTheNextTurn) {
 }
 
 /// Frame buffers are larger than the picture and kept: what is drawn does not depend on the sizes before.
+/// The first picture on the screen has no smoothed edges, because the whole window is painted with it.
+TEST(SceneView, SmoothsTheEdgesOfAFirstPictureThatStaysByItself) {
+  Scene shown({ScenePart::Leader}), other({ScenePart::Leader});
+  ASSERT_TRUE(QTest::qWaitFor([&shown] { return shown.view.renderedFrames() > 0; }, 30'000));
+  other.view.renderSharp();
+  const QImage smooth = middle_of(picture_of(other.view));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return middle_of(picture_of(shown.view)) == smooth; }, 30'000));
+}
+
 /// Notes the newest frame when the scene is painted, which takes at least `paint_ms`.
 class SlowPaint : public QObject {
  public:

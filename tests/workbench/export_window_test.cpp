@@ -337,7 +337,7 @@ TEST_F(ExportWindow, WhatTheWindowIsSetToIsProposed) {
 }
 
 TEST_F(ExportWindow, TheCharacterThatThePartnerWearsIsProposedWhereTheTypeCanHoldIt) {
-  const QString worn = file("worn.vrm");
+  const QString worn = file("partner.vrm");
   ASSERT_TRUE(write_whole_file(worn.toStdString(), test::skinned_rig(test::Naming::Vrm1)));
   widgets::SceneOptions options = window().scene().options();
   options.character_files = {"", worn.toStdString()};

@@ -17,6 +17,7 @@ struct Before {
   widgets::OrbitCamera camera;
   widgets::PartVisibility parts{};
   int morph = 0;
+  double cut_azimuth_rad = 0;
 };
 
 void nothing() {}
@@ -58,7 +59,7 @@ bool stepped(const Before& before, int frames) {
 }
 
 double turned(const Before& before) {
-  return std::remainder(scene().options().cut_azimuth_rad - before.camera.azimuth_rad, 4 * quarter);
+  return std::remainder(scene().options().cut_azimuth_rad - before.cut_azimuth_rad, 4 * quarter);
 }
 
 bool toggled(const Before& before, ScenePart part) {
@@ -332,8 +333,8 @@ TEST_P(KeyOfTheKeymap, DoesWhatItSays) {
   const KeyRow& row = GetParam();
   row.prepare();
   turn();
-  const Before before{playback().cursor_s,  playback().speed,   ticker().shown()->index, camera(),
-                      scene().visibility(), scene().morphStep()};
+  const Before before{playback().cursor_s,  playback().speed,    ticker().shown()->index,          camera(),
+                      scene().visibility(), scene().morphStep(), scene().options().cut_azimuth_rad};
   press(row.key, row.held);
   EXPECT_TRUE(until([&] { return row.effect(before); })) << window->messages().text().toStdString();
 }

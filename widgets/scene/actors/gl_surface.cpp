@@ -19,6 +19,7 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "widgets/scene/actors/empty_culler.hpp"
@@ -60,6 +61,26 @@ int room_for(int wanted_px, int there_px) {
   const bool is_kept = wanted_px <= there_px && there_px <= 2 * wanted_px + room_step_px;
   return is_kept ? there_px : (wanted_px + room_step_px - 1) / room_step_px * room_step_px;
 }
+
+/// Layers draw without smoothed edges while this exists.
+class WithoutSmoothing {
+ public:
+  explicit WithoutSmoothing(std::vector<vtkRenderer*> layers) : m_layers(std::move(layers)) {
+    for (vtkRenderer* layer : m_layers) {
+      m_smoothed.push_back(layer->GetUseFXAA());
+      layer->SetUseFXAA(false);
+    }
+  }
+  ~WithoutSmoothing() {
+    for (std::size_t i = 0; i < m_layers.size(); ++i) m_layers[i]->SetUseFXAA(m_smoothed[i]);
+  }
+  WithoutSmoothing(const WithoutSmoothing&) = delete;
+  WithoutSmoothing& operator=(const WithoutSmoothing&) = delete;
+
+ private:
+  std::vector<vtkRenderer*> m_layers;
+  std::vector<bool> m_smoothed;
+};
 
 /// By default VTK computes the range of all points with every upload, to move those far from the origin near
 /// it. These are floats already, so that it would bring no digits back, and they change with every picture.
@@ -213,16 +234,12 @@ void GlSurface::compileNothing() {
 /// Into the place where pictures are drawn, from which it is not fetched. @param prop  null: the background
 void GlSurface::drawOnly(vtkProp* prop, bool smooth) {
   const std::vector<vtkProp*> props = shown_props(*m_window);
-  const std::vector<vtkRenderer*> layers = layers_of(*m_window);
   if (prop) upload_as_they_are(*prop);
-  std::vector<bool> smoothed;
-  for (vtkRenderer* layer : layers) smoothed.push_back(layer->GetUseFXAA());
-  if (!smooth)
-    for (vtkRenderer* layer : layers) layer->SetUseFXAA(false);
+  std::optional<WithoutSmoothing> rough;
+  if (!smooth) rough.emplace(layers_of(*m_window));
   for (vtkProp* other : props) other->SetVisibility(other == prop);
   m_window->Render();
   for (vtkProp* other : props) other->SetVisibility(1);
-  for (std::size_t i = 0; i < layers.size(); ++i) layers[i]->SetUseFXAA(smoothed[i]);
   if (prop) m_compiled.insert(prop);
 }
 
@@ -311,11 +328,25 @@ void GlSurface::paintEvent(QPaintEvent*) {
       update();
     });
   }
+  if (is_requested && !is_grabbed && !m_hasShown) drawFirst();
   painter.drawImage(0, 0, picture());
   if (!is_requested || !m_shown) return;
   // Reported when the window has it. The next picture may have been requested by then.
   QTimer::singleShot(0, this, [shown = std::exchange(m_shown, {}), since_request = m_sinceRequest] {
     shown(static_cast<double>(since_request.nsecsElapsed()) * 1e-6);
+  });
+}
+
+/// The first picture, in a turn in which the whole window is painted, too: smoothing its edges would nearly
+/// double its time. They are smooth in the next one.
+void GlSurface::drawFirst() {
+  m_hasShown = true;
+  if (!m_window) return;
+  const WithoutSmoothing rough(layers_of(*m_window));
+  draw();
+  QTimer::singleShot(0, this, [this] {
+    m_stale = true;
+    update();
   });
 }
 

@@ -73,6 +73,7 @@ class GlSurface : public QWidget {
   void makeRoom(const QSize& pixels);
   void draw();
   void fetch();
+  void drawFirst();
   void paintLast(QPainter& painter);
 
   QOffscreenSurface m_place;
@@ -92,7 +93,7 @@ class GlSurface : public QWidget {
   bool m_stale = true;
   Shown m_shown;  ///< of the requested picture
   QElapsedTimer m_sinceRequest;
-  bool m_isStarted = false;
+  bool m_isStarted = false, m_hasShown = false;
   QPointF m_last, m_pressed;
   bool m_isClick = false, m_isTaken = false;
 };
