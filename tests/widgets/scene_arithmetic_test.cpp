@@ -318,12 +318,24 @@ TEST(SteadyRange, StaysWhenLocked) {
 
 TEST(SmoothingBudget, GivesUpSmoothEdgesOnlyWhileMovingOnASlowRenderer) {
   SmoothingBudget budget;
+  EXPECT_FALSE(budget.wants_smoothing(true)) << "a first picture tells how quick the renderer is";
+  EXPECT_TRUE(budget.wants_smoothing(false));
+  budget.took(false, 5);
+  EXPECT_TRUE(budget.wants_smoothing(true));
+  for (int i = 0; i < 20; ++i) budget.took(true, 8);
   EXPECT_TRUE(budget.wants_smoothing(true));
   budget.took(true, 60);
   EXPECT_FALSE(budget.wants_smoothing(true));
   EXPECT_TRUE(budget.wants_smoothing(false));
   for (int i = 0; i < 1000; ++i) budget.took(false, 5);
   EXPECT_TRUE(budget.wants_smoothing(true)) << "a machine that was busy once is tried again";
+}
+
+TEST(SmoothingBudget, IsNotTriedAgainWherePicturesAreSlowWithoutIt) {
+  SmoothingBudget budget;
+  budget.took(true, 30);
+  for (int i = 0; i < 10'000; ++i) budget.took(false, SmoothingBudget::affordable_ms + 1);
+  EXPECT_FALSE(budget.wants_smoothing(true));
 }
 
 TEST(SliderScale, TakesValuesToPlacesAndBack) {

@@ -342,6 +342,7 @@ void GlSurface::paintEvent(QPaintEvent*) {
 void GlSurface::drawFirst() {
   m_hasShown = true;
   if (!m_window) return;
+  m_sinceRequest.start();  // it was requested before all that had to be prepared
   const WithoutSmoothing rough(layers_of(*m_window));
   draw();
   QTimer::singleShot(0, this, [this] {

@@ -44,7 +44,8 @@ class GlSurface : public QWidget {
   /// Pressed and released at the same position.
   std::function<void(QPointF place)> clicked;
   void setRenderWindow(vtkGenericOpenGLRenderWindow* window);
-  /// Called when a requested picture is in the window. @param took_ms  since its request
+  /// Called when a requested picture is in the window. @param took_ms  since its request; of
+  /// the first, since it could be drawn
   using Shown = std::function<void(double took_ms)>;
   /// Draws with the window's next repaint; several requests give one picture, that of the last.
   void requestPicture(Shown shown = {});

@@ -12,15 +12,14 @@ class SmoothingBudget {
   bool wants_smoothing(bool moving) const { return !moving || smoothed_ms_ < affordable_ms; }
 
   void took(bool smoothed, double ms) {
-    // Estimates decay while they are not renewed, so that smoothing is tried again after a busy time.
     if (smoothed)
-      smoothed_ms_ = smoothed_ms_ == 0 ? ms : 0.8 * smoothed_ms_ + 0.2 * ms;
-    else
-      smoothed_ms_ *= 0.998;
+      smoothed_ms_ = smoothed_ms_ < affordable_ms ? 0.8 * smoothed_ms_ + 0.2 * ms : ms;
+    else if (ms < affordable_ms)
+      smoothed_ms_ *= 0.998;  // it is tried again, after a busy time as well; smoothing only adds to the rest
   }
 
  private:
-  double smoothed_ms_ = 0;
+  double smoothed_ms_ = affordable_ms;  ///< unknown: tried when a picture without it was quick
 };
 
 }  // namespace abrazo::widgets
