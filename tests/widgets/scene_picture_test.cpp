@@ -121,6 +121,26 @@ TEST(SceneView, WhoeverGrabsItDoesNotWaitForTheNextTurn) {
 }
 
 /// Frame buffers are larger than the picture and kept: what is drawn does not depend on the sizes before.
+TEST(SceneView, DrawsNothingButTheFloorBeforeTheFirstFrame) {
+  const auto empty = [](const PartVisibility& parts) {
+    SceneView view;
+    view.setLibrary(test::two_take_library());
+    view.resize(640, 480);
+    view.setVisibility(parts);
+    view.show();
+    view.renderSharp();
+    return middle_of(picture_of(view));
+  };
+  PartVisibility floor{};
+  floor[static_cast<std::size_t>(ScenePart::Floor)] = true;
+  PartVisibility bodies = floor;
+  for (const ScenePart part :
+       {ScenePart::User, ScenePart::Leader, ScenePart::Follower, ScenePart::SelectedPair, ScenePart::Bones,
+        ScenePart::Joints, ScenePart::FootLocks, ScenePart::Trails})
+    bodies[static_cast<std::size_t>(part)] = true;
+  EXPECT_EQ(difference(empty(bodies), empty(floor)), 0);
+}
+
 /// The first picture on the screen has no smoothed edges, because the whole window is painted with it.
 TEST(SceneView, SmoothsTheEdgesOfAFirstPictureThatStaysByItself) {
   Scene shown({ScenePart::Leader}), other({ScenePart::Leader});
@@ -315,6 +335,7 @@ TEST(SceneView, DrawsLimbsThatOverlapAsThickAsTheShownBody) {
     const auto picture = [&scene](const FrameSnapshotPtr& frame) {
       scene.view.showFrame(frame);
       for (QLabel* depth : scene.view.findChildren<QLabel*>("depth")) depth->hide();  // as large as before
+      scene.view.renderSharp();  // smoothed edges in all of them, not only where pictures are quick
       return middle_of(picture_of(scene.view));
     };
     return difference(picture(apart), picture(overlapping));

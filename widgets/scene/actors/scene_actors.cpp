@@ -59,6 +59,18 @@ SceneActors::SceneActors()
   setBodies(generic, generic);
 }
 
+/// Until the first frame. If they were hidden, the driver would compile them when it is shown.
+void SceneActors::placeOutOfSight() {
+  PairPose nowhere = PairPose::Zero();
+  nowhere.col(1).setConstant(-1000);  // beyond all that a camera shows
+  m_leader.setPose(nowhere.topRows<joint_count>(), 1);
+  m_follower.setPose(nowhere.bottomRows<joint_count>(), 1);
+  m_user.setPoints(half(nowhere, 0));
+  for (std::size_t body = 0; body < 2; ++body)
+    for (LineSet* lines : {&m_selected[body], &m_bones[body]}) lines->setPoints(half(nowhere, body));
+  for (LineSet* dots : {&m_joints, &m_joint_rims}) dots->setPoints(coordinates(nowhere));
+}
+
 void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost) {
   m_floor.addTo(solid);
   m_leader.addTo(solid);
@@ -110,6 +122,7 @@ void SceneActors::setBodies(const LibraryBody& active, const LibraryBody& passiv
   m_leader.setRadii(drawn_radii(active.capsule_radii));
   m_follower.setRadii(drawn_radii(passive.capsule_radii));
   m_contacts.setRadii(active.capsule_radii, passive.capsule_radii);
+  if (!m_hasPose) placeOutOfSight();
 }
 
 double SceneActors::girthOf(std::size_t body, const Pose& shown, const Pose& recorded) const {
@@ -167,6 +180,7 @@ void SceneActors::sortFor(const Vec3& eye, const Vec3& direction) {
 }
 
 void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
+  m_hasPose = true;
   const FrameResult& result = frame.result;
   // Exploded cells are seen alone, with the bones that tell where they were.
   const auto is_on = [this](ScenePart part) { return m_visibility[static_cast<std::size_t>(part)]; };

@@ -62,6 +62,7 @@ class SceneActors {
   const PartCounts& counts() const { return m_counts; }
 
  private:
+  void placeOutOfSight();
   void showMorphSteps(const FrameResult& result);
   void showFootLocks(const FrameResult& result);
   void showShadows(const FrameResult& result);
@@ -73,6 +74,7 @@ class SceneActors {
   PartVisibility m_visibility = default_visibility;
   PartCounts m_counts{};
   bool m_hasCandidate = false;
+  bool m_hasPose = false;  ///< of a frame
 
   FloorActor m_floor;
   BodyActor m_leader, m_follower;
