@@ -327,6 +327,7 @@ TEST(SceneView, DrawsLimbsThatOverlapWithTheirDepth) {
 
 TEST(SceneView, DrawsLimbsThatOverlapAsThickAsTheShownBody) {
   Scene scene({ScenePart::Contacts});
+  scene.view.setFollowing(false);  // the camera would move between the two pictures, by the clock
   const auto area = [&scene](double height) {
     const auto apart = std::make_shared<FrameSnapshot>(*frame_with_collision());
     apart->result.result *= height;
@@ -334,8 +335,8 @@ TEST(SceneView, DrawsLimbsThatOverlapAsThickAsTheShownBody) {
     apart->result.collisions.clear();
     const auto picture = [&scene](const FrameSnapshotPtr& frame) {
       scene.view.showFrame(frame);
+      scene.view.renderSharp();  // all with smoothed edges, not only where pictures are quick
       for (QLabel* depth : scene.view.findChildren<QLabel*>("depth")) depth->hide();  // as large as before
-      scene.view.renderSharp();  // smoothed edges in all of them, not only where pictures are quick
       return middle_of(picture_of(scene.view));
     };
     return difference(picture(apart), picture(overlapping));
