@@ -336,7 +336,8 @@ TEST(SceneView, DrawsLimbsThatOverlapAsThickAsTheShownBody) {
     const auto picture = [&scene](const FrameSnapshotPtr& frame) {
       scene.view.showFrame(frame);
       scene.view.renderSharp();  // all with smoothed edges, not only where pictures are quick
-      for (QLabel* depth : scene.view.findChildren<QLabel*>("depth")) depth->hide();  // as large as before
+      // As large as before; hidden, they would be shown with the next picture.
+      for (QLabel* depth : scene.view.findChildren<QLabel*>("depth")) depth->setFixedSize(0, 0);
       return middle_of(picture_of(scene.view));
     };
     return difference(picture(apart), picture(overlapping));
