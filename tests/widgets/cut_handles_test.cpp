@@ -1,6 +1,7 @@
 // The cutting plane in the hand: how far a drag moves it, from wherever it is seen, and where a new one
 // stands.
 #include "widgets/scene/values/cut_handles.hpp"
+#include "tests/widgets/plain_camera.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +11,10 @@
 namespace abrazo::widgets::cut_handles_test {
 namespace {
 
+using test::plain_camera;
+
 constexpr double width = 800, height = 600, pi = 3.14159265358979323846, degree = pi / 180;
 constexpr double pixel_m = 1.0 / 300;  ///< at the target of the camera
-
-/// From +Z at the origin, five metres away, half the picture 1 m high at the origin.
-OrbitCamera plain_camera() {
-  OrbitCamera camera;
-  camera.target = Vec3::Zero();
-  camera.azimuth_rad = camera.elevation_rad = 0;
-  camera.distance_m = 5;
-  camera.view_angle_rad = 2 * std::atan(1 / 5.0);
-  return camera;
-}
 
 /// A plane through the target.
 CutHandles handles_of(double azimuth_rad, double elevation_rad = 0) {

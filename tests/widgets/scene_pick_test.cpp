@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "tests/widgets/plain_camera.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/scene/pick/pick_facts.hpp"
 #include "widgets/scene/pick/scene_pick.hpp"
@@ -13,17 +14,9 @@
 namespace abrazo::widgets::scene_pick_test {
 namespace {
 
-constexpr double width = 800, height = 600;
+using test::plain_camera;
 
-/// From +Z at the origin, five metres away, half the picture 1 m high at the origin.
-OrbitCamera plain_camera() {
-  OrbitCamera camera;
-  camera.target = Vec3::Zero();
-  camera.azimuth_rad = camera.elevation_rad = 0;
-  camera.distance_m = 5;
-  camera.view_angle_rad = 2 * std::atan(1 / 5.0);
-  return camera;
-}
+constexpr double width = 800, height = 600;
 
 PicturePoint at(const OrbitCamera& camera, const Vec3& point) {
   return PictureProjection(camera, width, height).project(point).value();
