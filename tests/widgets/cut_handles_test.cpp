@@ -1,12 +1,13 @@
 // The cutting plane in the hand: how far a drag moves it, from wherever it is seen, and where a new one
 // stands.
 #include "widgets/scene/values/cut_handles.hpp"
-#include "tests/widgets/plain_camera.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
+
+#include "tests/widgets/plain_camera.hpp"
 
 namespace abrazo::widgets::cut_handles_test {
 namespace {
