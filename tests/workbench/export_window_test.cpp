@@ -2,130 +2,31 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFile>
-#include <QFileDialog>
-#include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
 #include <QProcess>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QThread>
-#include <QTimer>
 #include <QToolButton>
 
-#include "app/workbench/export/export_desk.hpp"
-#include "app/workbench/export/export_dialog.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
-#include "core/base/atomic_file.hpp"
 #include "core/library/takes/tier_file.hpp"
-#include "tests/support/humanoid_rig.hpp"
-#include "tests/workbench/demo_window.hpp"
+#include "tests/workbench/export_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
-#include "widgets/common/message_bar.hpp"
-#include "widgets/common/offer_bar.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app::export_window_test {
 namespace {
 
+using export_fixture::ExportWindow;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::StartsWith;
-
-class ExportWindow : public DemoWindow {
- protected:
-  static void SetUpTestSuite() {
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    showDemo({1100, 700}, 60);
-  }
-
-  static ExportDesk& desk() { return *window().findChild<ExportDesk*>(); }
-  static ExportDialog& dialog() { return *window().findChild<ExportDialog*>(); }
-  static QComboBox& box(const char* name) { return *dialog().findChild<QComboBox*>(name); }
-  static QCheckBox& body(const QString& name) {
-    for (auto* check : dialog().findChildren<QCheckBox*>())
-      if (check->text() == name) return *check;
-    throw std::invalid_argument(name.toStdString());
-  }
-  static QPushButton& button(const QString& text) {
-    for (auto* one : dialog().findChildren<QPushButton*>())
-      if (one->text() == text) return *one;
-    throw std::invalid_argument(text.toStdString());
-  }
-  static void choose(const char* name, const QVariant& data) {
-    const int index = box(name).findData(data);
-    ASSERT_GE(index, 0) << name << " does not have " << data.toString().toStdString();
-    box(name).setCurrentIndex(index);
-  }
-  static QString estimate() { return dialog().findChild<QLabel*>("estimate")->text(); }
-  void SetUp() override {
-    DemoWindow::SetUp();
-    dialog().offer(desk().offer());
-    choose("What", 0);
-    choose("Of", QString());
-    choose("Part", "all");
-    for (const char* name : {"Leader", "Follower"}) body(name).setChecked(true);
-    body("User as received").setChecked(false);
-    character().clear();
-  }
-  static qsizetype rootsIn(const QString& name) {
-    return QString::fromStdString(content(name)).count("ROOT ");
-  }
-  static QLineEdit& character() {
-    for (auto* each : dialog().findChildren<QLineEdit*>())
-      if (each->accessibleName() == "Character") return *each;
-    throw std::invalid_argument("no field for a character");
-  }
-  /// What the dialog says below the choices: why they do not go together, or what the file will hold.
-  static std::string about() { return dialog().findChild<QLabel*>("secondary")->text().toStdString(); }
-  static std::string content(const QString& name) {
-    const auto read = read_whole_file(file(name).toStdString());
-    return read ? *read : std::string();
-  }
-  /// Presses Export, names the file and answers whether files may be replaced. @return the question
-  static QString exportTo(const QString& name, QMessageBox::StandardButton answer) {
-    QString asked;
-    QTimer person;
-    QObject::connect(&person, &QTimer::timeout, &person, [&] {
-      QWidget* modal = QApplication::activeModalWidget();
-      if (auto* files = qobject_cast<QFileDialog*>(modal)) {
-        files->findChild<QLineEdit*>()->setText(file(name));
-        QMetaObject::invokeMethod(files, "accept");
-      } else if (auto* question = qobject_cast<QMessageBox*>(modal)) {
-        asked = question->text();
-        question->button(answer)->click();
-      }
-    });
-    person.start(20);
-    button("Export…").click();
-    EXPECT_TRUE(until([] { return !desk().isBusy(); }));
-    return asked;
-  }
-  /// A humanoid with the bone names of VRM 1.0.
-  static QString rig() {
-    EXPECT_TRUE(write_whole_file(file("rig.vrm").toStdString(), test::rig(test::Naming::Vrm1)));
-    return file("rig.vrm");
-  }
-  static QString file(const QString& name) { return home().filePath(name); }
-  /// Writes what the dialog says, to the end.
-  static void write(const QString& name) {
-    desk().write(dialog().request(), file(name));
-    ASSERT_TRUE(until([] { return !desk().isBusy(); }));
-  }
-  static QString told() { return desk().bar().text(); }
-};
 
 TEST_F(ExportWindow, TheMenuOpensTheDialogOfWhatThereIs) {
   QAction* open = action("Export…");
@@ -336,102 +237,6 @@ TEST_F(ExportWindow, WhatTheWindowIsSetToIsProposed) {
   EXPECT_EQ(box("Part").currentData().toString(), "all");
 }
 
-TEST_F(ExportWindow, TheCharacterThatThePartnerWearsIsProposedWhereTheTypeCanHoldIt) {
-  const QString worn = file("partner.vrm");
-  ASSERT_TRUE(write_whole_file(worn.toStdString(), test::skinned_rig(test::Naming::Vrm1)));
-  widgets::SceneOptions options = window().scene().options();
-  options.character_files = {"", worn.toStdString()};
-  window().scene().setOptions(options);
-  dialog().offer(desk().offer());
-  choose("As", ".bvh");
-  dialog().restore({});
-  EXPECT_EQ(character().text(), QString()) << "a BVH has no character";
-  choose("As", ".glb");
-  EXPECT_EQ(character().text(), worn);
-  EXPECT_THAT(about(), HasSubstr("performed by the character: NAME_passive.glb"));
-  character().clear();
-  choose("As", ".npz");
-  choose("As", ".glb");
-  EXPECT_EQ(character().text(), QString()) << "the person took it off";
-  dialog().restore({});
-  EXPECT_EQ(character().text(), worn);
-  const QStringList choices = dialog().choices();
-  options.character_files = {};
-  window().scene().setOptions(options);
-  dialog().offer(desk().offer());
-  dialog().restore(choices);
-  EXPECT_EQ(character().text(), QString()) << "it was a proposal, not a choice";
-}
-
-TEST_F(ExportWindow, ACharacterPerformsTheBodiesInAFileEachAndTheFilesAreListed) {
-  ticker().setRange(0.2, 0.9);
-  dialog().offer(desk().offer());
-  choose("Part", "range");
-  choose("As", ".bvh");
-  character().setText(rig());
-  EXPECT_EQ(box("As").findData(".bvh"), -1) << "a character is a GLB or VRM";
-  EXPECT_TRUE(box("Unit").isHidden()) << "it has its own";
-  for (const QString ending : {".glb", ".vrm"}) {
-    choose("As", ending);
-    ASSERT_TRUE(button("Export…").isEnabled()) << about();
-    write("worn" + ending);
-    EXPECT_THAT(told().toStdString(),
-                HasSubstr(("worn_active" + ending + ", worn_passive" + ending).toStdString()));
-    for (const QString body : {"worn_active", "worn_passive"})
-      EXPECT_EQ(content(body + ending).substr(0, 4), "glTF") << window().messages().text().toStdString();
-    EXPECT_FALSE(QFile::exists(file("worn" + ending)));
-  }
-  character().clear();
-  EXPECT_GE(box("As").findData(".bvh"), 0);
-  EXPECT_TRUE(dialog().request().wish.character.empty());
-}
-
-TEST_F(ExportWindow, ACharacterIsOfMotionOnly) {
-  character().setText(rig());
-  EXPECT_FALSE(character().isHidden());
-  choose("What", 2);
-  EXPECT_TRUE(character().parentWidget()->isHidden());
-  EXPECT_TRUE(dialog().request().wish.character.empty());
-  EXPECT_TRUE(button("Export…").isEnabled()) << about();
-}
-
-TEST_F(ExportWindow, ACharacterThatCannotBeReadIsSaidBeforeTheExportAndOneThatIsNoHumanoidByIt) {
-  character().setText(file("gone.vrm"));
-  EXPECT_FALSE(button("Export…").isEnabled());
-  EXPECT_THAT(about(), HasSubstr("gone.vrm"));
-  character().setText(rig());
-  EXPECT_TRUE(button("Export…").isEnabled()) << about();
-  ASSERT_TRUE(write_whole_file(file("box.glb").toStdString(), "a box"));
-  character().setText(file("box.glb"));
-  choose("As", ".glb");
-  write("refused.glb");
-  EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("is no GLB"));
-  EXPECT_EQ(QDir(home().path()).entryList({"refused*"}), QStringList());
-}
-
-TEST_F(ExportWindow, TheCharacterItselfIsNotReplaced) {
-  ASSERT_TRUE(write_whole_file(file("me_active.glb").toStdString(), test::rig(test::Naming::Vrm1)));
-  character().setText(file("me_active.glb"));
-  choose("As", ".glb");
-  write("me.glb");
-  EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("also read"));
-  EXPECT_EQ(content("me_active.glb"), test::rig(test::Naming::Vrm1));
-}
-
-TEST_F(ExportWindow, FilesOfTheBodiesAreReplacedOnlyWhenThePersonSaysSo) {
-  character().setText(rig());
-  choose("As", ".glb");
-  EXPECT_EQ(exportTo("twice.glb", QMessageBox::No), QString()) << "there is nothing to replace";
-  EXPECT_EQ(content("twice_active.glb").substr(0, 4), "glTF");
-  ASSERT_TRUE(write_whole_file(file("twice_active.glb").toStdString(), "mine"));
-  ASSERT_TRUE(QFile::remove(file("twice_passive.glb")));
-  EXPECT_EQ(exportTo("twice.glb", QMessageBox::No), QString("Replace twice_active.glb?"));
-  EXPECT_EQ(content("twice_active.glb"), "mine");
-  EXPECT_FALSE(QFile::exists(file("twice_passive.glb")));
-  EXPECT_EQ(exportTo("twice.glb", QMessageBox::Yes), QString("Replace twice_active.glb?"));
-  EXPECT_EQ(content("twice_active.glb").substr(0, 4), "glTF");
-}
-
 TEST_F(ExportWindow, ATypedEndingIsAChoiceOfTheType) {
   choose("What", 2);  // labels
   choose("As", ".eaf");
@@ -450,34 +255,6 @@ TEST_F(ExportWindow, ANameWithoutAnEndingReplacesNoFileUnasked) {
   EXPECT_EQ(content("mine.eaf"), "mine");
   EXPECT_EQ(exportTo("mine", QMessageBox::Yes), QString("Replace mine.eaf?"));
   EXPECT_THAT(content("mine.eaf"), HasSubstr("ANNOTATION_DOCUMENT"));
-}
-
-TEST_F(ExportWindow, ACharacterIsWrittenInTheSameBytesAsByTheCommandLine) {
-  auto& takes = *window().findChild<TakeDesk*>();
-  takes.toggle();
-  ASSERT_TRUE(until([&] { return !takes.takes().empty() && takes.takes().all().back().frames > 60; }));
-  takes.toggle();
-  ASSERT_TRUE(until([&] { return !takes.finishing(); }));
-  const RecordedTake take = takes.takes().all().back();
-  const double from_s = take.from_s + 0.3, to_s = take.to_s - 0.3;
-  ticker().setRange(from_s, to_s);
-  dialog().offer(desk().offer());
-  choose("Part", "range");
-  character().setText(rig());
-  choose("As", ".vrm");
-  write("window.vrm");
-  QProcess abrazo;
-  abrazo.setWorkingDirectory(home().path());
-  abrazo.start(QCoreApplication::applicationDirPath() + "/abrazo",  // built beside the tests
-               {"export", takes.file(), "--from", QString::number(from_s, 'g', 17), "--to",
-                QString::number(to_s, 'g', 17), "--what", "active,passive", "--character", "rig.vrm", "-o",
-                "line.vrm", "--quiet"});
-  ASSERT_TRUE(abrazo.waitForFinished(-1));
-  ASSERT_EQ(abrazo.exitCode(), 0) << abrazo.readAllStandardError().toStdString();
-  for (const QString body : {"_active.vrm", "_passive.vrm"}) {
-    EXPECT_FALSE(content("window" + body).empty()) << window().messages().text().toStdString();
-    EXPECT_TRUE(content("window" + body) == content("line" + body)) << body.toStdString();
-  }
 }
 
 TEST_F(ExportWindow, ATakeOfTheSessionIsWrittenInTheSameBytesAsByTheCommandLine) {

@@ -47,8 +47,7 @@ void StartTimes::reached(const char* stage) {
 void StartTimes::follow(Document& document, FrameTicker& ticker, widgets::SceneView& scene) {
   connect(&document, &Document::began, this, [this] { reached("library ready"); });
   connect(&ticker, &FrameTicker::frameReady, this, [this] { reached("first frame solved"); });
-  connect(&scene, &widgets::SceneView::pictureDrawn, this,
-          [this](const FrameSnapshotPtr& frame) { pictureDrawn(frame); });
+  connect(&scene, &widgets::SceneView::pictureDrawn, this, &StartTimes::pictureDrawn);
 }
 
 void StartTimes::pictureDrawn(const FrameSnapshotPtr& shown) {

@@ -10,9 +10,9 @@
 
 namespace abrazo::widgets {
 
-vtkStandardNewMacro(EmptyCuller)
+vtkStandardNewMacro(EmptyCuller);
 
-    bool draws_something(vtkProp& prop) {
+bool draws_something(vtkProp& prop) {
   auto* actor = vtkActor::SafeDownCast(&prop);
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   return !mapper || !mapper->GetInput() || mapper->GetInput()->GetNumberOfCells() > 0;

@@ -12,10 +12,9 @@ bool draws_something(vtkProp& prop);
 /// and needs the bounds of all points with every picture.
 class EmptyCuller : public vtkCuller {
  public:
-  static EmptyCuller* New();
-  vtkTypeMacro(EmptyCuller, vtkCuller)
+  vtkTypeMacro(EmptyCuller, vtkCuller) static EmptyCuller* New();
 
-      double Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& has_times) override;
+  double Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& has_times) override;
 };
 
 }  // namespace abrazo::widgets
