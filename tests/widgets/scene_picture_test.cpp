@@ -120,7 +120,6 @@ TEST(SceneView, WhoeverGrabsItDoesNotWaitForTheNextTurn) {
   EXPECT_GT(pixels_of_hue(picture, dark().active), 6000);
 }
 
-/// Frame buffers are larger than the picture and kept: what is drawn does not depend on the sizes before.
 TEST(SceneView, DrawsNothingButTheFloorBeforeTheFirstFrame) {
   const auto empty = [](const PartVisibility& parts) {
     SceneView view;
@@ -141,7 +140,7 @@ TEST(SceneView, DrawsNothingButTheFloorBeforeTheFirstFrame) {
   EXPECT_EQ(difference(empty(bodies), empty(floor)), 0);
 }
 
-/// The first picture on the screen has no smoothed edges, because the whole window is painted with it.
+/// The first picture on the screen has no smoothed edges, so that it comes soon.
 TEST(SceneView, SmoothsTheEdgesOfAFirstPictureThatStaysByItself) {
   Scene shown({ScenePart::Leader}), other({ScenePart::Leader});
   ASSERT_TRUE(QTest::qWaitFor([&shown] { return shown.view.renderedFrames() > 0; }, 30'000));

@@ -144,8 +144,8 @@ bool GlSurface::start() {
 
 void GlSurface::requestPicture(Shown shown) {
   m_stale = true;
-  m_shown = std::move(shown);
-  m_sinceRequest.start();
+  m_request.shown = std::move(shown);
+  m_request.since.start();
   update();
 }
 
@@ -328,27 +328,49 @@ void GlSurface::paintEvent(QPaintEvent*) {
       update();
     });
   }
-  if (is_requested && !is_grabbed && !m_hasShown) drawFirst();
+  if (is_requested && !is_grabbed && m_first != First::Shown) return paintFirst(painter);
   painter.drawImage(0, 0, picture());
-  if (!is_requested || !m_shown) return;
-  // Reported when the window has it. The next picture may have been requested by then.
-  QTimer::singleShot(0, this, [shown = std::exchange(m_shown, {}), since_request = m_sinceRequest] {
-    shown(static_cast<double>(since_request.nsecsElapsed()) * 1e-6);
+  if (is_requested) report(m_request);
+}
+
+/// To be told when the window has the picture. The next one may have been requested by then.
+void GlSurface::report(Request& request) {
+  if (!request.shown) return;
+  QTimer::singleShot(0, this, [shown = std::exchange(request.shown, {}), since = request.since] {
+    shown(static_cast<double>(since.nsecsElapsed()) * 1e-6);
   });
 }
 
-/// The first picture, in a turn in which the whole window is painted, too: smoothing its edges would nearly
-/// double its time. They are smooth in the next one.
-void GlSurface::drawFirst() {
-  m_hasShown = true;
-  if (!m_window) return;
-  m_sinceRequest.start();  // it was requested before all that had to be prepared
-  const WithoutSmoothing rough(layers_of(*m_window));
-  draw();
-  QTimer::singleShot(0, this, [this] {
+/// When the first picture can be drawn the whole window is often painted, too, and both together would be a
+/// long wait. It is therefore drawn in a turn between two paints.
+void GlSurface::paintFirst(QPainter& painter) {
+  if (m_first == First::Drawn && m_picture.size() == wanted()) {
+    painter.drawImage(0, 0, m_picture);  // older than what is requested by now, but it is here
+    m_first = First::Shown;
+    report(m_firstRequest);
+    return QTimer::singleShot(0, this, [this] {
+      m_stale = true;
+      update();
+    });
+  }
+  paintLast(painter);
+  if (m_first == First::Due) return;
+  m_first = First::Due;
+  QTimer::singleShot(1, this, [this] {
+    drawFirst();
     m_stale = true;
+    m_first = First::Drawn;
     update();
   });
+}
+
+/// Without smoothed edges, which would nearly double its time. They are smooth in the next picture.
+void GlSurface::drawFirst() {
+  m_firstRequest.shown = std::exchange(m_request.shown, {});
+  m_firstRequest.since.start();  // it was requested before all that had to be prepared
+  if (!m_window) return;
+  const WithoutSmoothing rough(layers_of(*m_window));
+  draw();
 }
 
 /// The picture before, in the middle: it may have another size.

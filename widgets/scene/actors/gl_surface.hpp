@@ -74,6 +74,12 @@ class GlSurface : public QWidget {
   void makeRoom(const QSize& pixels);
   void draw();
   void fetch();
+  struct Request {
+    Shown shown;
+    QElapsedTimer since;
+  };
+  void report(Request& request);
+  void paintFirst(QPainter& painter);
   void drawFirst();
   void paintLast(QPainter& painter);
 
@@ -92,9 +98,10 @@ class GlSurface : public QWidget {
   std::vector<quint32> m_fetched;  ///< as OpenGL gives it: from the bottom, red first
   QImage m_picture;
   bool m_stale = true;
-  Shown m_shown;  ///< of the requested picture
-  QElapsedTimer m_sinceRequest;
-  bool m_isStarted = false, m_hasShown = false;
+  enum class First { Requested, Due, Drawn, Shown };
+  First m_first = First::Requested;
+  Request m_firstRequest, m_request;
+  bool m_isStarted = false;
   QPointF m_last, m_pressed;
   bool m_isClick = false, m_isTaken = false;
 };
