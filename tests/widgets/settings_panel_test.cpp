@@ -245,11 +245,31 @@ TEST(SettingsPanel, ASettingWithoutEffectSaysSoWhereItStands) {
     for (const SettingInfo& info : all_settings()) {
       const bool has_effect = applies(p.settings(), info.key);
       const QString title = p.title(std::string(info.key).c_str());
-      EXPECT_EQ(title.contains("no effect now"), !has_effect) << title.toStdString();
+      EXPECT_EQ(title.contains("no effect"), !has_effect) << title.toStdString();
       without += has_effect ? 0 : 1;
     }
   }
   EXPECT_GT(without, 1);
+}
+
+/// Titles that say that they have no effect pushed their values out of a narrow column.
+TEST(SettingsPanel, ANarrowColumnShortensTitlesAndCutsOffNoValue) {
+  ShownPanel p;
+  for (const int width : {340, 300})
+    for (const char* name : {"paper", "responsive"}) {
+      p.panel.resize(width, 500);
+      emit p.panel.presetRequested(name, false);
+      QTest::qWait(1);
+      for (const SettingRow* row : p.panel.findChildren<SettingRow*>()) {
+        const auto* title = row->findChild<QLabel*>();
+        const std::string words = std::string(name) + ": " + title->text().toStdString();
+        EXPECT_LE(row->width(), width) << words;
+        EXPECT_GE(row->width(), row->minimumSizeHint().width()) << words;
+        EXPECT_LE(title->sizeHint().width(), title->width()) << words;
+        EXPECT_EQ(title->text().contains("no effect"), !applies(p.settings(), row->info().key)) << words;
+      }
+    }
+  EXPECT_TRUE(p.title("switch-margin").contains("switch margin")) << p.title("switch-margin").toStdString();
 }
 
 TEST(SettingsPanel, AStarMarksThePresetAndTheRowThatWereChanged) {

@@ -9,7 +9,7 @@ BodyBox::BodyBox(bool with_user, QWidget* parent) : QComboBox(parent) {
   addItem("library");
   if (with_user) addItem("user");
   addItems({"scale:0.85", "scale:1.15"});
-  setMinimumWidth(118);
+  setMinimumWidth(112);
   setFocusPolicy(Qt::StrongFocus);
 }
 

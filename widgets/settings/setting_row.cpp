@@ -22,6 +22,7 @@
 namespace abrazo::widgets {
 namespace {
 
+constexpr int least_letters = 3;           ///< of a title that has no room
 constexpr double lowest_step_rate_hz = 5;  ///< but for 0, the input's own rate
 
 /// Typing after a click replaces the value. Escape restores it.
@@ -62,6 +63,7 @@ SettingRow::SettingRow(const SettingInfo& info, QWidget* parent) : QWidget(paren
   setToolTip(QString::fromStdString(setting_tooltip(info)));
   m_title = new QLabel(this);
   m_title->setTextFormat(Qt::RichText);
+  m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // gets shorter words: showTitle
   switch (info.kind) {
     case SettingInfo::Kind::Real:
     case SettingInfo::Kind::Integer:
@@ -209,15 +211,29 @@ QString SettingRow::valueText(double number) const {
   return (m_scale.whole_numbers ? QString::number(number, 'f', 0) : QString::number(number, 'g', 4)) + unit;
 }
 
-void SettingRow::showTitle(bool changed, const QString& of_frame) {
+/// In a narrow column with fewer words, so that no value is cut off; the tooltip has the rest.
+void SettingRow::showTitle() {
+  if (layout()) layout()->activate();
   const QString symbol = QString::fromStdString(typeset(m_info.symbol));
-  QString words = (symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped();
-  if (changed) words += " *";
-  if (!m_applies) words += " · no effect now";  // why says the tooltip
-  if (!of_frame.isEmpty())
-    words +=
-        QString(" <span style='color: %1'>\u25b4 %2</span>").arg(m_mark.name(), of_frame.toHtmlEscaped());
-  if (m_title->text() != words) m_title->setText(words);
+  const QString title = text(m_info.title);
+  const auto fits = [&](const QString& name, const QString& without_effect) {
+    QString words = (symbol.isEmpty() ? QString() : symbol + " ") + name.toHtmlEscaped();
+    if (m_changed) words += " *";
+    if (!m_applies) words += without_effect;  // why says the tooltip
+    if (!m_ofFrame.isEmpty())
+      words +=
+          QString(" <span style='color: %1'>\u25b4 %2</span>").arg(m_mark.name(), m_ofFrame.toHtmlEscaped());
+    if (m_title->text() != words) m_title->setText(words);
+    return m_title->sizeHint().width() <= m_title->width();
+  };
+  if (fits(title, " · no effect now") || fits(title, " · no effect")) return;
+  for (int kept = title.size() - 2; kept > least_letters; --kept)
+    if (fits(title.left(kept).trimmed() + "\u2026", " · no effect")) return;
+}
+
+void SettingRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showTitle();
 }
 
 /// The row itself stays enabled: its tooltip and menu are needed.
@@ -245,7 +261,8 @@ void SettingRow::show(const Settings& settings, const Settings& defaults, const 
   if (differs) then_text = m_slider ? valueText(then) : text(setting_text(*of_frame, m_info.key));
   m_changed = now != setting_text(defaults, m_info.key);
   showApplies(settings);
-  showTitle(m_changed, then_text);
+  m_ofFrame = then_text;
+  showTitle();
   if (m_toggle) m_toggle->setOn(m_number > 0.5);
   if (m_choice) m_choice->setCurrentIndex(static_cast<int>(m_number));
   if (m_body && !m_body->lineEdit()->isModified()) {

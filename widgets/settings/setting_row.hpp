@@ -38,6 +38,7 @@ class SettingRow : public QWidget {
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void buildNumber();
@@ -47,7 +48,7 @@ class SettingRow : public QWidget {
   void connectSlider();
   void connectField();
   void name(QWidget& control) const;
-  void showTitle(bool changed, const QString& of_frame);
+  void showTitle();
   void showApplies(const Settings& settings);
   QString valueText(double number) const;
   QString key() const;
@@ -64,6 +65,7 @@ class SettingRow : public QWidget {
   QString m_bodyText;
   double m_number = 0;  ///< shown value
   QString m_defaultText;
+  QString m_ofFrame;       ///< the value of the shown frame, if it differs
   bool m_changed = false;  ///< differs from the preset
   bool m_applies = true;
   QColor m_mark;
