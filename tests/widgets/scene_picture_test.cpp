@@ -98,6 +98,20 @@ TEST(SceneView, WithoutALibraryDrawsACharacterShorterThanTheRecordedOneThinner) 
   }
 }
 
+/// Its lines have a rim of another colour, which covered them.
+TEST(SceneView, DrawsAComparedBodyInItsColour) {
+  Scene scene({ScenePart::Comparison});
+  const auto frame = synthetic_frame(3, 0.05);
+  scene.view.showFrame(frame);
+  PairPose other = frame->result.result;
+  other.bottomRows<joint_count>().col(0).array() += 0.3;
+  scene.view.showComparison(std::nullopt, other);
+  scene.view.renderSharp();
+  const QImage picture = middle_of(picture_of(scene.view));
+  EXPECT_GT(pixels_of_hue(picture, dark().passive), 1500);
+  EXPECT_EQ(pixels_of_hue(picture, dark().active), 0) << "is as in the frame";
+}
+
 /// A driver compiles its programs at the first picture, and a window that waits for that does not answer.
 TEST(SceneView, PreparesItsFirstPictureInSeveralTurnsAndShowsItWhole) {
   Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});

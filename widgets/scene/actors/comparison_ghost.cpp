@@ -9,6 +9,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double least_difference_m = 0.02;  // below, a line is only clutter
+constexpr double before_rim_m = 0.004;
 
 /// Two points a line, in order.
 void set_strokes(LineSet& lines, const std::vector<double>& ends) {
@@ -45,6 +46,12 @@ void ComparisonGhost::setColours(const Palette& palette, double pixel_ratio) {
     }
   m_differences.setColour(palette.text, 0.7);
   m_differences.setWidth(1.2 * pixel_ratio);
+}
+
+/// A line and its wider rim are at the same depth, of which only rounding would be left.
+void ComparisonGhost::separateFor(const Vec3& direction) {
+  for (Run* run : {&m_a, &m_b})
+    for (LineSet& body : run->bodies) body.setOffset(-before_rim_m * direction);
 }
 
 void ComparisonGhost::setVisible(bool visible) {

@@ -17,6 +17,8 @@ class ComparisonGhost {
   void addTo(vtkRenderer* in_front);
   void setColours(const Palette& palette, double pixel_ratio);
   void setVisible(bool visible);
+  /// @param direction  of the view, unit
+  void separateFor(const Vec3& direction);
   /// @param recorded of the frame; absent runs are as recorded, and an almost equal body is not drawn twice
   void show(const PairPose& recorded, const std::optional<PairPose>& a, const std::optional<PairPose>& b);
 

@@ -83,6 +83,10 @@ void LineSet::setWidth(double pixels) {
   m_parts->actor->GetProperty()->SetPointSize(static_cast<float>(pixels));
 }
 
+void LineSet::setOffset(const Vec3& offset) {
+  m_parts->actor->SetPosition(offset.x(), offset.y(), offset.z());
+}
+
 void LineSet::setVisible(bool visible) {
   m_parts->actor->SetVisibility(visible);
 }

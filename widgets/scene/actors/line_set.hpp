@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/positions.hpp"
+
 class QColor;
 class vtkActor;
 class vtkRenderer;
@@ -31,6 +33,8 @@ class LineSet {
 
   void setColour(const QColor& colour, double opacity = 1);
   void setWidth(double pixels);
+  /// Moves all points [m], without an upload.
+  void setOffset(const Vec3& offset);
   void setVisible(bool visible);
   void addTo(vtkRenderer* renderer);
   vtkActor* actor() const;

@@ -73,7 +73,9 @@ void SceneStage::applyCamera() {
   shown->SetParallelProjection(camera.is_parallel);
   shown->SetParallelScale(camera.distance_m * std::tan(camera.view_angle_rad / 2));
   shown->SetClippingRange(camera.nearest_shown_m(), 60);
-  actors.sortFor(position, (focus - position).normalized());
+  const Vec3 direction = (focus - position).normalized();
+  actors.sortFor(position, direction);
+  ghosts.separateFor(direction);
   for (vtkRenderer* layer : {m_parts->solid.Get(), m_parts->in_front.Get(), m_parts->topmost.Get()})
     cut_away(layer, camera.plane);
 }
