@@ -1,14 +1,17 @@
 // Each view draws a known frame; looked at are colours and places, not single pixels.
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "core/session/frames/frame_history.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/theme.hpp"
 #include "widgets/plots/plot_panel.hpp"
 
 namespace abrazo::widgets::picture_test {
@@ -23,6 +26,23 @@ using test::two_take_library;
 
 const Palette& dark() {
   return palette_of(Theme::Dark);
+}
+
+/// The style of Qt draws the frame of an empty box in a shade of the window, which a dark one swallows.
+TEST(Theme, AnUntickedBoxCanBeSeenInBothThemes) {
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    const Palette& palette = palette_of(theme);
+    QWidget window;
+    window.setStyleSheet(style_sheet(palette));
+    QCheckBox box("for files like this one", &window);
+    window.resize(240, 40);
+    const QImage picture = picture_of(window).copy(0, 0, 16, 40);  // without its words
+    double most = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        most = std::max(most, contrast(picture.pixelColor(x, y), palette.window));
+    EXPECT_GE(most, 3) << (palette.dark ? "dark" : "light");
+  }
 }
 
 TEST(CandidateTable, PaintsTheThreeTermsInTheirColours) {

@@ -119,8 +119,11 @@ QListView { background: %2; border: 1px solid %4; outline: 0; }
 QListView#bare { background: transparent; border: none; }
 QListView::item { padding: 4px 8px; }
 QListView::item:selected { background: %7; color: #ffffff; }
-QListView::indicator, QTreeView::indicator { width: 12px; height: 12px; background: %1; border: 1px solid %6; border-radius: 3px; }
-QListView::indicator:checked, QTreeView::indicator:checked { background: %7; border-color: %7; image: url(:/abrazo/icons/check.svg); }
+QCheckBox::indicator, QListView::indicator, QTreeView::indicator { width: 12px; height: 12px; background: %1; border: 1px solid %6; border-radius: 3px; }
+QCheckBox::indicator:checked, QListView::indicator:checked, QTreeView::indicator:checked { background: %7; border-color: %7; image: url(:/abrazo/icons/check.svg); }
+QCheckBox::indicator:focus { border-color: %7; }
+QCheckBox::indicator:checked:focus { border-color: %5; }
+QCheckBox::indicator:disabled { border-color: %4; background: %1; }
 QListView::indicator:selected, QTreeView::indicator:selected { border-color: #ffffff; }
 )";
 

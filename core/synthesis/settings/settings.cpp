@@ -365,6 +365,19 @@ std::string setting_names() {
   return names;
 }
 
+namespace {
+
+/// What a setting refines is off: "a velocity weight above 0; it is 0 now". Empty if it is not, or if it
+/// refines none.
+std::string_view what_is_off(const Settings& settings, std::string_view key) {
+  if (key == "velocity-form" && settings.velocity_weight == 0)
+    return "a velocity weight above 0; it is 0 now";
+  if (key == "foot-lock-speed" && !settings.foot_locks) return "foot locks; they are off now";
+  return {};
+}
+
+}  // namespace
+
 bool applies(const Settings& settings, std::string_view key) {
   constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
   // The continuation of the running recording is always a candidate.
@@ -375,11 +388,14 @@ bool applies(const Settings& settings, std::string_view key) {
   const auto is_of = [key](const auto& keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
+  if (!what_is_off(settings, key).empty()) return false;
   if (settings.playback == SourcePlayback::Frames ? is_of(of_continuous) : is_of(of_frames)) return false;
   return settings.selection == SelectionMethod::Intent ? !is_of(of_paper) : !is_of(of_intent);
 }
 
 std::string why_it_does_not_apply(const Settings& settings, std::string_view key) {
+  if (const std::string_view off = what_is_off(settings, key); !off.empty())
+    return "Only with " + std::string(off);
   Settings of_method = settings, of_playback = settings;
   of_method.selection =
       settings.selection == SelectionMethod::Paper ? SelectionMethod::Intent : SelectionMethod::Paper;

@@ -86,7 +86,8 @@ std::span<const SettingInfo> all_settings();
 const SettingInfo* find_setting(std::string_view key);
 /// "selection, alpha, ...": all keys, for messages.
 std::string setting_names();
-/// Whether a setting has an effect with the present selection method and playback; most always do.
+/// Whether a setting has an effect with the present selection method, playback and what it refines; most
+/// always do.
 bool applies(const Settings& settings, std::string_view key);
 /// "Only with the method intent; it is paper now": reason why a setting does not apply.
 std::string why_it_does_not_apply(const Settings& settings, std::string_view key);

@@ -86,6 +86,20 @@ TEST_P(SettingEffects, ASettingChangesTheDanceExactlyWhenItApplies) {
   }
 }
 
+TEST_P(SettingEffects, ASettingOfWhatIsOffChangesNothing) {
+  Settings settings = *preset("responsive");
+  settings.velocity_weight = 0;
+  settings.foot_locks = false;
+  settings.selection = std::get<0>(GetParam());
+  settings.playback = std::get<1>(GetParam());
+  const auto usual = danced_with(settings);
+  for (const char* key : {"velocity-form", "foot-lock-speed"}) {
+    EXPECT_FALSE(applies(settings, key)) << key;
+    for (const Settings& other : with_other_values(settings, *find_setting(key)))
+      EXPECT_EQ(danced_with(other), usual) << key;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, SettingEffects,
                          testing::Combine(testing::Values(SelectionMethod::Paper, SelectionMethod::Intent),
                                           testing::Values(SourcePlayback::Frames,

@@ -196,6 +196,8 @@ TEST(Settings, OneThatDoesNotApplySaysWhatItNeeds) {
   EXPECT_EQ(why_it_does_not_apply(paper, "switch-margin"), "Only with the method intent; it is paper now");
   EXPECT_EQ(why_it_does_not_apply(paper, "place-rate"),
             "Only with the playback continuous; it is frames now");
+  EXPECT_EQ(why_it_does_not_apply(responsive, "velocity-form"),
+            "Only with a velocity weight above 0; it is 0 now");
   EXPECT_EQ(why_it_does_not_apply(responsive, "continuations"),
             "Only with the method paper and the playback frames; it is intent and continuous now");
 }
