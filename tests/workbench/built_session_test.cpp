@@ -19,6 +19,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
+#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app::built_session_test {
@@ -214,6 +215,46 @@ TEST_F(BuiltSession, FindsItsMotionFilesWhereOneOfThemIsPointedOut) {
   accept();
   EXPECT_GE(material().library->find_take("one"), 0);
   EXPECT_EQ(notes_of("one"), 1U);
+}
+
+/// The generated dance answers meanwhile, and its frames are saved with the rest.
+TEST_F(BuiltSession, SavedWhileItsLibraryWasMissingItIsAskedForAgainAndComesBack) {
+  const std::string fingerprint = library_fingerprint(*material().library);
+  ASSERT_TRUE(until([] { return ticker().shown() && ticker().shown()->index > 20; }));
+  const double recorded_s = ticker().shown()->time_s;
+  save();
+  restart();
+  std::filesystem::rename(file("captures").toStdString(), file("moved").toStdString());
+  open();
+  ASSERT_TRUE(dialog()) << said();
+  accept();
+  ASSERT_TRUE(material().stands_in);
+  ASSERT_TRUE(until([] { return ticker().shown() && ticker().shown()->result.selected >= 0; }))
+      << "the generated dance answers";
+  ticker().seek(recorded_s);
+  ASSERT_TRUE(until([&] { return ticker().shown()->time_s <= recorded_s; }));
+  EXPECT_EQ(ticker().shown()->result.selected, -1) << "no pair of the library that stands in";
+  EXPECT_TRUE(window().candidates().rows().empty());
+  ticker().follow();
+  press(Qt::Key_M);
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().isSaving() && !desk().isModified(); }));
+  restart();
+  open();
+  ASSERT_TRUE(dialog()) << "it is still missing; " << said();
+  EXPECT_EQ(dialog()->leftMissing(), 4U);
+  const auto project = load_project(file("s.abrazo").toStdString());
+  const QString first = QFileInfo(QString::fromStdString(project->data[0].absolute_path)).fileName();
+  dialog()->pointOut(0, file("moved/" + first));
+  accept();
+  EXPECT_FALSE(material().stands_in);
+  EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  restart();
+  open();
+  ASSERT_FALSE(dialog()) << "it knows where they are";
+  EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
 }
 
 TEST_F(BuiltSession, ItsRecordingOpensWithItToo) {

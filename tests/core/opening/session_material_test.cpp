@@ -144,6 +144,30 @@ TEST_F(SessionMaterial, ARecordingWithoutItsLibraryOpensOnlyWhenAPersonSaysSo) {
   EXPECT_THAT(material->warnings, Contains(HasSubstr("was not a file")));
 }
 
+/// What it was recorded with while its library was missing does not take the library's place.
+TEST_F(SessionMaterial, ALibraryThatAnotherStoodInForIsAskedForAndThereAgain) {
+  test::record(path, built.library, "");
+  test::save(path, built, said());
+  test::record(path, generated_dance({})->library, "");
+  fs::rename(file("captures"), file("moved"));
+  const auto without = opened({"", {}, true});
+  ASSERT_TRUE(without) << without.error().text();
+  EXPECT_TRUE(without->stands_in);
+  Project saved_without;
+  describe(*without, saved_without);
+  EXPECT_EQ(saved_without.library, built.library->name());
+  EXPECT_EQ(saved_without.input, "take_02");
+  EXPECT_EQ(saved_without.manifest, without->project->project().manifest);
+  EXPECT_THAT(saved_without.data, SizeIs(5));
+  fs::rename(file("moved"), file("captures"));
+  const auto again = opened();
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_FALSE(again->stands_in);
+  EXPECT_EQ(library_fingerprint(*again->library), library_fingerprint(*built.library));
+  EXPECT_EQ(again->input.name, "take_02");
+  EXPECT_THAT(again->warnings, IsEmpty());
+}
+
 TEST_F(SessionMaterial, TheFileIsReadOnce) {
   test::record(path, built.library, "");
   test::save(path, built);
