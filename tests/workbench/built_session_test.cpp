@@ -10,6 +10,7 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/library/library_build.hpp"
 #include "app/workbench/library/library_desk.hpp"
+#include "app/workbench/project/history_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
@@ -48,6 +49,7 @@ class BuiltSession : public DemoWindow {
     desk().setAsks(true);
     desk().ask = [] { return ProjectDesk::Answer::Discard; };
     desk().askLibrary = [this] { return ++asked, answer; };
+    window().findChild<HistoryDesk*>()->ask = [](double) { return HistoryDesk::Answer::Discard; };
   }
 
   static ProjectDesk& desk() { return *window().findChild<ProjectDesk*>("project desk"); }

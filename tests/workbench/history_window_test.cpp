@@ -9,6 +9,8 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <fstream>
+#include <functional>
 
 #include "app/workbench/compare/comparison_desk.hpp"
 #include "app/workbench/document/session_places.hpp"
@@ -17,6 +19,7 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -57,6 +60,23 @@ class HistoryInTheWindow : public DemoWindow {
     return span;
   }
   static HistoryDesk& desk() { return *window().findChild<HistoryDesk*>(); }
+  /// A tenth of a second counts, and the question is answered, as long as this lives.
+  struct AskedAbout {
+    AskedAbout(HistoryDesk& of, HistoryDesk::Answer answer) : desk(of), own(of.ask) {
+      desk.settles_s = 0.1;
+      desk.ask = [this, answer](double) { return ++times, answer; };
+    }
+    ~AskedAbout() {
+      desk.settles_s = history_settles_s;
+      desk.ask = own;
+    }
+    AskedAbout(const AskedAbout&) = delete;
+    AskedAbout& operator=(const AskedAbout&) = delete;
+
+    HistoryDesk& desk;
+    std::function<HistoryDesk::Answer(double)> own;
+    int times = 0;
+  };
   static ComparisonDesk& comparison() { return *window().findChild<ComparisonDesk*>(); }
   static int winner_of(const FrameSnapshot& frame) {
     return frame.result.candidates[static_cast<std::size_t>(frame.result.selected)].pair;
@@ -107,19 +127,54 @@ TEST_F(HistoryInTheWindow, TheSameFramesAreOnDisk) {
   EXPECT_EQ(kept->result.result, remembered_frame->result.result);
 }
 
-TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAboutAndKept) {
+/// Whatever its length: it can be had again at any time.
+TEST_F(HistoryInTheWindow, OfADemoThatNobodyTouchedTheHistoryGoesWithoutAQuestion) {
+  AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+  EXPECT_EQ(desk().unsaved(false), 0);
   bool allowed = true;
-  int asked = 0;
-  const auto before = desk().ask;
-  desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Cancel; };
   desk().leaveSession(allowed);
   EXPECT_TRUE(allowed);
-  EXPECT_EQ(asked, 0);
-  desk().long_s = 0.1;
-  desk().leaveSession(allowed);
-  EXPECT_FALSE(allowed) << "cancelled";
-  EXPECT_EQ(asked, 1);
-  desk().ask = [](double) { return HistoryDesk::Answer::Keep; };
+  EXPECT_EQ(asked.times, 0);
+  EXPECT_GT(desk().unsaved(true), 0) << "with a marker it is no longer that";
+}
+
+TEST_F(HistoryInTheWindow, OfAMotionThatWasOpenedTheHistoryIsAskedAbout) {
+  const QString motion = home().filePath("walk.bvh");
+  const Clip walk = clip_of_take(*window().session()->material().library, 0);
+  std::ofstream(motion.toStdString()) << *write_bvh(std::vector<Clip>{walk});
+  window().openFiles({motion});
+  ASSERT_TRUE(until([] {
+    return window().session()->material().reading.file.size() > 0 && !desk().folder().isEmpty() &&
+           engine().history().span().last_s > 0.5;
+  })) << window().messages().text().toStdString();
+  bool allowed = true;
+  {
+    AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+    ASSERT_TRUE(until([] { return desk().unsaved(false) > 0; })) << "once it is on disk";
+    desk().leaveSession(allowed);
+    EXPECT_FALSE(allowed) << "cancelled";
+    EXPECT_EQ(asked.times, 1);
+  }
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session()->material().reading.file.empty(); }));
+}
+
+TEST_F(HistoryInTheWindow, AMomentGoesWithoutAQuestionMoreIsAskedAboutAndKept) {
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty() && engine().history().span().last_s > 0.6; }));
+  ticker().setRange(0.1, 0.5);  // as with I and O: a person has looked for something
+  bool allowed = true;
+  {
+    AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+    desk().settles_s = 1e9;
+    desk().leaveSession(allowed);
+    EXPECT_TRUE(allowed);
+    EXPECT_EQ(asked.times, 0);
+    desk().settles_s = 0.1;
+    desk().leaveSession(allowed);
+    EXPECT_FALSE(allowed) << "cancelled";
+    EXPECT_EQ(asked.times, 1);
+  }
+  AskedAbout asked(desk(), HistoryDesk::Answer::Keep);
   allowed = true;
   desk().leaveSession(allowed);
   EXPECT_TRUE(allowed);
@@ -128,8 +183,6 @@ TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAbout
   ASSERT_TRUE(until([&] { return !desk().folder().isEmpty() && desk().folder() != folder; }));
   EXPECT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()).size(), 1) << "offered at the next start";
   HistoryDesk::discard(folder + "/1.abrazo");
-  desk().long_s = 300;
-  desk().ask = before;
 }
 
 /// "Save?" was followed by "Keep the history?".
@@ -139,7 +192,8 @@ TEST_F(HistoryInTheWindow, ClosingWithChangesAndALongHistoryIsOneQuestion) {
   Markers markers = window().document().markers();
   markers.add(0.1, "turn");
   window().document().changeMarkers(markers, "add marker");
-  desk().long_s = 0.1;
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty() && engine().history().span().last_s > 0.5; }));
+  desk().settles_s = 0.1;
   int asked = 0;
   const auto own_ask = desk().ask;
   desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Cancel; };
@@ -166,7 +220,7 @@ TEST_F(HistoryInTheWindow, ClosingWithChangesAndALongHistoryIsOneQuestion) {
   EXPECT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()).size(), 1) << "offered at the next start";
   HistoryDesk::discard(folder + "/1.abrazo");
   project.setAsks(false);
-  desk().long_s = 300;
+  desk().settles_s = history_settles_s;
   desk().ask = own_ask;
 }
 
@@ -183,7 +237,7 @@ TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
   bool allowed = true;
   const auto own_ask = desk().ask;
   desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Discard; };
-  desk().long_s = 2;
+  desk().settles_s = 2;
   desk().leaveSession(allowed);
   EXPECT_EQ(asked, 0) << "what is saved goes without a question";
   window().openFiles({file});
@@ -207,7 +261,7 @@ TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
   ASSERT_TRUE(ticker().shown());
   EXPECT_EQ(ticker().shown()->index, early->index) << "the past can be scrubbed";
   desk().ask = own_ask;
-  desk().long_s = 300;
+  desk().settles_s = history_settles_s;
   window().openDemo();
   ASSERT_TRUE(until([] { return window().session() && !window().session()->material().recorded; }));
 }

@@ -13,6 +13,7 @@
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/autosave.hpp"
+#include "app/workbench/project/history_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
@@ -41,6 +42,7 @@ class ProjectActions : public DemoWindow {
     reopen([] { window().openDemo(); });
     desk().setAsks(true);
     desk().ask = [this] { return ++asked, answer; };
+    window().findChild<HistoryDesk*>()->ask = [](double) { return HistoryDesk::Answer::Discard; };
   }
   void TearDown() override { desk().setAsks(false); }
 
