@@ -47,11 +47,21 @@ const SessionLibrary* reference_of(const OpenedSession& session) {
   return last == references.rend() ? nullptr : &*last;
 }
 
-Result<FoundLibrary> stand_in(const Error& why, const Progress& progress) {
+/// First what it means: a bar may have no room for all of it.
+Result<FoundLibrary> stand_in(const Error& why, const OpenedProject& project, const Progress& progress) {
   auto dance = generated_dance(progress);
   if (!dance) return dance.error();
   dance->stands_in = true;
-  dance->warnings.push_back(why.text() + ": " + without(Use::Library));
+  dance->warnings.push_back(
+      "the generated dance answers in place of the library; annotations of takes are kept, but not shown: " +
+      why.message);
+  std::vector<std::string> files;
+  for (const std::size_t index : project.missing())
+    if (is_of_library(project.project().data[index].use))
+      files.push_back(project.project().data[index].absolute_path);
+  if (!files.empty())
+    dance->warnings.push_back(fmt::format("of the library {} not there: {}", files.size() == 1 ? "is" : "are",
+                                          fmt::join(files, ", ")));
   return FoundLibrary{std::move(*dance), nullptr, Done{}};
 }
 
@@ -68,7 +78,7 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
   const SessionLibrary* reference = reference_of(session);
   auto found = search.find(reference, progress);
   if (!found && wish.library.empty() && (wish.may_stand_in || !has_frames))
-    return stand_in(found.error(), progress);
+    return stand_in(found.error(), project, progress);
   if (!found)
     return Error{found.error().message + "; open the session together with its library (both files at once)",
                  found.error().where};
