@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -23,6 +24,7 @@
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/takes/leftover_bar.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -278,6 +280,48 @@ TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {
   EXPECT_EQ(QFileInfo(adopted).absolutePath(), QFileInfo(sessions_folder()).absoluteFilePath());
   EXPECT_FALSE(QDir(crashed).exists());
   EXPECT_TRUE(HistoryDesk::leftBehind(remembered().historyFolder()).isEmpty());
+}
+
+/// A message above it went, and Discard was where its button to close had been; it deleted at once.
+TEST_F(HistoryInTheWindow, WhatACrashLeftIsDeletedOnlyAfterAQuestionAndItsButtonsStayWhereTheyAre) {
+  const QString crashed = remembered().historyFolder() + "/crashed";
+  ASSERT_TRUE(QDir().mkpath(crashed));
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty(); })) << "a worker makes the files";
+  ASSERT_TRUE(QFile::copy(QDir(desk().folder()).filePath("1.abrazo"), crashed + "/1.abrazo"));
+  auto& bar = *window().findChild<widgets::LeftoverBar*>();
+  offer_leftovers(window(), bar);
+  ASSERT_TRUE(until([&] { return bar.isVisible(); }));
+  QPushButton* discard = nullptr;
+  for (auto* each : bar.findChildren<QPushButton*>())
+    if (each->text() == "Discard") discard = each;
+  ASSERT_TRUE(discard);
+  const auto place = [&] { return discard->mapToGlobal(QPoint()); };
+  window().messages().showError("first");
+  turn();
+  const QPoint before = place();
+  window().messages().succeed({}, "first", true);
+  ASSERT_TRUE(until([] { return !window().messages().isVisible(); }));
+  turn();
+  EXPECT_EQ(place(), before);
+  const auto answer = [](const QString& words) {
+    QTimer::singleShot(100, [words] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(box);
+      EXPECT_TRUE(box->informativeText().contains("cannot be brought back"));
+      for (QAbstractButton* each : box->buttons())
+        if (each->text().remove('&') == words) return each->click();
+      ADD_FAILURE() << "no button " << words.toStdString();
+      box->reject();
+    });
+  };
+  answer("Cancel");
+  discard->click();
+  EXPECT_TRUE(QDir(crashed).exists());
+  EXPECT_TRUE(bar.isVisible()) << "it is still offered";
+  answer("Delete");
+  discard->click();
+  EXPECT_FALSE(QDir(crashed).exists());
+  EXPECT_FALSE(bar.isVisible());
 }
 
 TEST_F(HistoryInTheWindow, APinOnAParkedFrameIsTriedThereAndTheLivePartnerIsNotTold) {
