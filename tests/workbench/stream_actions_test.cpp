@@ -23,6 +23,7 @@
 #include "widgets/stream/scene_notice.hpp"
 #include "widgets/stream/sink_list.hpp"
 #include "widgets/stream/stream_head.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app::stream_actions_test {
 namespace {
