@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <functional>
 
+#include "core/motion/joints/performers.hpp"
+
 namespace abrazo {
 namespace {
 
@@ -53,15 +55,10 @@ void each_file(Manifest& manifest, const std::function<void(fs::path&)>& visit) 
   }
 }
 
-/// The names of at most two files, without their folders: "a.amc, b.amc and 6 more".
-std::string some_of(const std::vector<std::string>& files) {
-  constexpr std::size_t most = 2;
+std::vector<std::string> without_folders(const std::vector<std::string>& files) {
   std::vector<std::string> names;
-  for (const std::string& file : files)
-    if (names.size() < most) names.push_back(fs::path(file).filename().string());
-  std::string words = fmt::format("{}", fmt::join(names, ", "));
-  if (files.size() > most) words += fmt::format(" and {} more", files.size() - most);
-  return words;
+  for (const std::string& file : files) names.push_back(fs::path(file).filename().string());
+  return names;
 }
 
 std::string whole(const fs::path& path) {
@@ -198,7 +195,7 @@ Result<Manifest> kept_manifest(const OpenedProject& opened) {
   });
   if (missing.empty()) return manifest;
   return Error{fmt::format("its library \"{}\" cannot be built again: {} {} not there", manifest->name,
-                           some_of(missing), missing.size() == 1 ? "is" : "are"),
+                           some_of(without_folders(missing), 2), missing.size() == 1 ? "is" : "are"),
                opened.file};
 }
 
