@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "core/session/file/library_reference.hpp"
@@ -22,6 +24,7 @@
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/section_header.hpp"
 
 namespace abrazo::app::built_session_test {
 namespace {
@@ -257,6 +260,23 @@ TEST_F(BuiltSession, SavedWhileItsLibraryWasMissingItIsAskedForAgainAndComesBack
   open();
   ASSERT_FALSE(dialog()) << "it knows where they are";
   EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
+}
+
+/// The heading was "LIBRARY · LIBRARY".
+TEST_F(BuiltSession, ThePanelNamesTheLibraryUnlessThatIsItsOwnName) {
+  const auto has_panel = [](const QString& heading) {
+    const auto headers = window().findChildren<widgets::SectionHeader*>();
+    return std::ranges::any_of(headers, [&](auto* each) { return each->title() == heading; });
+  };
+  EXPECT_TRUE(has_panel("Library · " + QString::fromStdString(material().library->name())));
+  const auto named = std::make_shared<const MotionLibrary>(*build_library(
+      "library", {test::swinging_take("one", 60, 1), test::swinging_take("two", 60, 2)}, {}, {}));
+  ASSERT_TRUE(begins([&named] {
+    window().openMaterial(
+        [named](const Progress&) -> Result<Material> { return built_material(named, {}, "", {}); });
+  })) << said();
+  EXPECT_TRUE(has_panel("Library"));
+  EXPECT_FALSE(has_panel("Library · library"));
 }
 
 TEST_F(BuiltSession, ItsRecordingOpensWithItToo) {
