@@ -121,7 +121,8 @@ FileKind kind_of_file(const std::string& file) {
   if (is_tier_file(file)) return FileKind::Labels;
   const bool is_video = !extension.empty() && std::ranges::find(video_extensions(), extension.substr(1)) !=
                                                   video_extensions().end();
-  return is_video ? FileKind::Video : FileKind::Unknown;
+  if (is_video) return FileKind::Video;
+  return head_of(file).starts_with("\x89HDF") ? FileKind::Library : FileKind::Unknown;
 }
 
 std::vector<FileToOpen> recognised(const std::vector<std::string>& files) {

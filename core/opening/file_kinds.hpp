@@ -10,7 +10,8 @@ namespace abrazo {
 
 enum class FileKind { Library, Manifest, Motion, Skeleton, JointMap, Session, Labels, Video, Unknown };
 
-/// What a file is for: by its name, and for .csv and .json by how it begins. Reads at most 64 kB.
+/// What a file is for: by its name; for .csv, .json and names that say nothing by how it begins. Reads at
+/// most 64 kB.
 FileKind kind_of_file(const std::string& file);
 
 struct FileToOpen {

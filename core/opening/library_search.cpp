@@ -126,8 +126,9 @@ std::vector<LibrarySearch::Place> LibrarySearch::places(const SessionLibrary* re
     if (each->name == name)
       for (const std::string& file : places_of(*each, clues_.session))
         add_file(file, Otherwise::IfOfThatName);
-  // The project's is the one that was used last.
-  const bool is_last = !reference || clues_.references.empty() || clues_.references.back().name == name;
+  // The project's is the one that was used last, whatever stood in for it since.
+  const bool is_last = !reference || clues_.references.empty() ||
+                       (project.library.empty() ? clues_.references.back().name : project.library) == name;
   const Otherwise of_project = is_last ? Otherwise::Yes : Otherwise::IfOfThatName;
   for (const Use use : {Use::Library, Use::Manifest})
     if (const std::string file = clues_.project->place_of(use); !file.empty()) add_file(file, of_project);

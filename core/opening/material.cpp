@@ -27,9 +27,10 @@ Use use_of_input(const std::string& file) {
   return extension == ".asf" ? Use::Skeleton : extension == ".json" ? Use::JointMap : Use::Motion;
 }
 
-/// As it was: the library of the project is only not there now.
+/// As it was: the library of the project, and a take of it that plays the user, are only not there now.
 void describe_missing_library(const Project& opened, Project& project) {
   project.library = opened.library;
+  project.input = opened.input;
   project.manifest = opened.manifest;
   std::ranges::copy_if(opened.data, std::back_inserter(project.data),
                        [](const DataReference& data) { return is_of_library(data.use); });
@@ -109,14 +110,16 @@ Material built_material(std::shared_ptr<const MotionLibrary> library, Manifest m
 }
 
 void describe(const Material& material, Project& project) {
-  material.stands_in&& material.project ? describe_missing_library(material.project->project(), project)
-                                        : describe_library(material, project);
+  const bool is_missing = material.stands_in && material.project;
+  is_missing ? describe_missing_library(material.project->project(), project)
+             : describe_library(material, project);
   for (const std::string& file : material.input_files())
     project.data.push_back(unread_reference(use_of_input(file), file));
   if (const std::string how = reading_json(material.reading); how != reading_json({}))
     project.view[view_of_reading] = how;
   // Of a recorded session the input is in the recording.
-  if (material.reading.file.empty() && !material.is_only_recorded()) project.input = material.input.name;
+  if (material.reading.file.empty() && !material.is_only_recorded() && !is_missing)
+    project.input = material.input.name;
 }
 
 Project with_library_file(Project project, const std::string& file) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <functional>
 
+#include "core/motion/joints/performers.hpp"
+
 namespace abrazo {
 namespace {
 
@@ -51,6 +53,12 @@ void each_file(Manifest& manifest, const std::function<void(fs::path&)>& visit) 
     visit(take.labels);
     visit(take.roles_file);
   }
+}
+
+std::vector<std::string> without_folders(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& file : files) names.push_back(fs::path(file).filename().string());
+  return names;
 }
 
 std::string whole(const fs::path& path) {
@@ -187,7 +195,7 @@ Result<Manifest> kept_manifest(const OpenedProject& opened) {
   });
   if (missing.empty()) return manifest;
   return Error{fmt::format("its library \"{}\" cannot be built again: {} {} not there", manifest->name,
-                           fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are"),
+                           some_of(without_folders(missing), 2), missing.size() == 1 ? "is" : "are"),
                opened.file};
 }
 

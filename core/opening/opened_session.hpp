@@ -66,7 +66,7 @@ std::vector<std::string> files_of(const Manifest& manifest);
 /// Its JSON with paths from the root, for Project::manifest.
 std::string whole_manifest_json(const Manifest& manifest);
 /// The manifest that a project keeps, with its files where they are now.
-/// @return an Error that names the missing ones
+/// @return an Error that names two of the missing ones at most, with their number
 Result<Manifest> kept_manifest(const OpenedProject& project);
 
 /// Library, manifest or the files that it is built from.

@@ -36,11 +36,32 @@ bool says_nothing_of_library(const Project& project) {
          });
 }
 
-Result<FoundLibrary> stand_in(const Error& why, const Progress& progress) {
+/// The library that the session was worked on with. The project names it: the last frames may have been
+/// solved with one that stood in for it. @return null if no frame was solved with it
+const SessionLibrary* reference_of(const OpenedSession& session) {
+  const auto& references = session.recording.contents.libraries;
+  if (!session.has_frames()) return nullptr;
+  const std::string& name = session.project->project().library;
+  if (!session.project->reading.is_saved || name.empty()) return &references.back();
+  const auto last = std::ranges::find(references.rbegin(), references.rend(), name, &SessionLibrary::name);
+  return last == references.rend() ? nullptr : &*last;
+}
+
+/// First what it means: a bar may have no room for all of it.
+Result<FoundLibrary> stand_in(const Error& why, const OpenedProject& project, const Progress& progress) {
   auto dance = generated_dance(progress);
   if (!dance) return dance.error();
   dance->stands_in = true;
-  dance->warnings.push_back(why.text() + ": " + without(Use::Library));
+  dance->warnings.push_back(
+      "the generated dance answers in place of the library; annotations of takes are kept, but not shown: " +
+      why.message);
+  std::vector<std::string> files;
+  for (const std::size_t index : project.missing())
+    if (is_of_library(project.project().data[index].use))
+      files.push_back(project.project().data[index].absolute_path);
+  if (!files.empty())
+    dance->warnings.push_back(fmt::format("of the library {} not there: {}", files.size() == 1 ? "is" : "are",
+                                          fmt::join(files, ", ")));
   return FoundLibrary{std::move(*dance), nullptr, Done{}};
 }
 
@@ -54,16 +75,18 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
     return dance ? Result<FoundLibrary>(FoundLibrary{std::move(*dance), nullptr, Done{}}) : dance.error();
   }
   LibrarySearch search({project.file, references, session.project, wish.library, wish.open});
-  auto found = search.find(has_frames ? &references.back() : nullptr, progress);
+  const SessionLibrary* reference = reference_of(session);
+  auto found = search.find(reference, progress);
   if (!found && wish.library.empty() && (wish.may_stand_in || !has_frames))
-    return stand_in(found.error(), progress);
+    return stand_in(found.error(), project, progress);
   if (!found)
     return Error{found.error().message + "; open the session together with its library (both files at once)",
                  found.error().where};
   // Other labels than when a frame was recorded change nothing that is shown of it.
-  if (!found->fits && !(has_frames && has_motion_of(references.back(), *found->material.library)))
-    found->material.warnings.push_back(found->fits.error().text() +
-                                       "; meshes and selected pairs of the recorded frames may be wrong");
+  if (!found->fits && !(reference && has_motion_of(*reference, *found->material.library)))
+    found->material.warnings.push_back(
+        found->fits.error().text() +
+        "; the recorded frames have no mesh, and candidates only where their takes have the same names");
   return found;
 }
 
@@ -97,9 +120,10 @@ Status add_frames(const OpenedSession& session, const FoundLibrary& found, bool 
     material.warnings.push_back("frames are damaged and passed over (" + recording.frames->damage() + ")");
   material.recorded =
       std::make_shared<const RecordedSession>(RecordedSession{file, recording.frames, recording.contents});
-  material.excluded_takes = recording.contents.libraries.back().excluded_takes;
+  const SessionLibrary* reference = reference_of(session);
+  material.excluded_takes = (reference ? *reference : recording.contents.libraries.back()).excluded_takes;
   // A library that stands in has other takes; a warning names the one that is missing.
-  if (found.material.stands_in)
+  if (found.material.stands_in || !reference)
     std::erase_if(material.excluded_takes,
                   [&](const std::string& take) { return found.material.library->find_take(take) < 0; });
   if (continues) return Done{};

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -10,16 +11,20 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/library/library_build.hpp"
 #include "app/workbench/library/library_desk.hpp"
+#include "app/workbench/project/history_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
+#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/section_header.hpp"
 
 namespace abrazo::app::built_session_test {
 namespace {
@@ -47,6 +52,7 @@ class BuiltSession : public DemoWindow {
     desk().setAsks(true);
     desk().ask = [] { return ProjectDesk::Answer::Discard; };
     desk().askLibrary = [this] { return ++asked, answer; };
+    window().findChild<HistoryDesk*>()->ask = [](double) { return HistoryDesk::Answer::Discard; };
   }
 
   static ProjectDesk& desk() { return *window().findChild<ProjectDesk*>("project desk"); }
@@ -214,6 +220,63 @@ TEST_F(BuiltSession, FindsItsMotionFilesWhereOneOfThemIsPointedOut) {
   accept();
   EXPECT_GE(material().library->find_take("one"), 0);
   EXPECT_EQ(notes_of("one"), 1U);
+}
+
+/// The generated dance answers meanwhile, and its frames are saved with the rest.
+TEST_F(BuiltSession, SavedWhileItsLibraryWasMissingItIsAskedForAgainAndComesBack) {
+  const std::string fingerprint = library_fingerprint(*material().library);
+  ASSERT_TRUE(until([] { return ticker().shown() && ticker().shown()->index > 20; }));
+  const double recorded_s = ticker().shown()->time_s;
+  save();
+  restart();
+  std::filesystem::rename(file("captures").toStdString(), file("moved").toStdString());
+  open();
+  ASSERT_TRUE(dialog()) << said();
+  accept();
+  ASSERT_TRUE(material().stands_in);
+  ASSERT_TRUE(until([] { return ticker().shown() && ticker().shown()->result.selected >= 0; }))
+      << "the generated dance answers";
+  ticker().seek(recorded_s);
+  ASSERT_TRUE(until([&] { return ticker().shown()->time_s <= recorded_s; }));
+  EXPECT_EQ(ticker().shown()->result.selected, -1) << "no pair of the library that stands in";
+  EXPECT_TRUE(window().candidates().rows().empty());
+  ticker().follow();
+  press(Qt::Key_M);
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().isSaving() && !desk().isModified(); }));
+  restart();
+  open();
+  ASSERT_TRUE(dialog()) << "it is still missing; " << said();
+  EXPECT_EQ(dialog()->leftMissing(), 4U);
+  const auto project = load_project(file("s.abrazo").toStdString());
+  const QString first = QFileInfo(QString::fromStdString(project->data[0].absolute_path)).fileName();
+  dialog()->pointOut(0, file("moved/" + first));
+  accept();
+  EXPECT_FALSE(material().stands_in);
+  EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  restart();
+  open();
+  ASSERT_FALSE(dialog()) << "it knows where they are";
+  EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
+}
+
+/// The heading was "LIBRARY · LIBRARY".
+TEST_F(BuiltSession, ThePanelNamesTheLibraryUnlessThatIsItsOwnName) {
+  const auto has_panel = [](const QString& heading) {
+    const auto headers = window().findChildren<widgets::SectionHeader*>();
+    return std::ranges::any_of(headers, [&](auto* each) { return each->title() == heading; });
+  };
+  EXPECT_TRUE(has_panel("Library · " + QString::fromStdString(material().library->name())));
+  const auto named = std::make_shared<const MotionLibrary>(*build_library(
+      "library", {test::swinging_take("one", 60, 1), test::swinging_take("two", 60, 2)}, {}, {}));
+  ASSERT_TRUE(begins([&named] {
+    window().openMaterial(
+        [named](const Progress&) -> Result<Material> { return built_material(named, {}, "", {}); });
+  })) << said();
+  EXPECT_TRUE(has_panel("Library"));
+  EXPECT_FALSE(has_panel("Library · library"));
 }
 
 TEST_F(BuiltSession, ItsRecordingOpensWithItToo) {

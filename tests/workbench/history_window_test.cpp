@@ -6,9 +6,12 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <fstream>
+#include <functional>
 
 #include "app/workbench/compare/comparison_desk.hpp"
 #include "app/workbench/document/session_places.hpp"
@@ -17,9 +20,11 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/takes/leftover_bar.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -57,6 +62,23 @@ class HistoryInTheWindow : public DemoWindow {
     return span;
   }
   static HistoryDesk& desk() { return *window().findChild<HistoryDesk*>(); }
+  /// A tenth of a second counts, and the question is answered, as long as this lives.
+  struct AskedAbout {
+    AskedAbout(HistoryDesk& of, HistoryDesk::Answer answer) : desk(of), own(of.ask) {
+      desk.settles_s = 0.1;
+      desk.ask = [this, answer](double) { return ++times, answer; };
+    }
+    ~AskedAbout() {
+      desk.settles_s = history_settles_s;
+      desk.ask = own;
+    }
+    AskedAbout(const AskedAbout&) = delete;
+    AskedAbout& operator=(const AskedAbout&) = delete;
+
+    HistoryDesk& desk;
+    std::function<HistoryDesk::Answer(double)> own;
+    int times = 0;
+  };
   static ComparisonDesk& comparison() { return *window().findChild<ComparisonDesk*>(); }
   static int winner_of(const FrameSnapshot& frame) {
     return frame.result.candidates[static_cast<std::size_t>(frame.result.selected)].pair;
@@ -107,19 +129,54 @@ TEST_F(HistoryInTheWindow, TheSameFramesAreOnDisk) {
   EXPECT_EQ(kept->result.result, remembered_frame->result.result);
 }
 
-TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAboutAndKept) {
+/// Whatever its length: it can be had again at any time.
+TEST_F(HistoryInTheWindow, OfADemoThatNobodyTouchedTheHistoryGoesWithoutAQuestion) {
+  AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+  EXPECT_EQ(desk().unsaved(false), 0);
   bool allowed = true;
-  int asked = 0;
-  const auto before = desk().ask;
-  desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Cancel; };
   desk().leaveSession(allowed);
   EXPECT_TRUE(allowed);
-  EXPECT_EQ(asked, 0);
-  desk().long_s = 0.1;
-  desk().leaveSession(allowed);
-  EXPECT_FALSE(allowed) << "cancelled";
-  EXPECT_EQ(asked, 1);
-  desk().ask = [](double) { return HistoryDesk::Answer::Keep; };
+  EXPECT_EQ(asked.times, 0);
+  EXPECT_GT(desk().unsaved(true), 0) << "with a marker it is no longer that";
+}
+
+TEST_F(HistoryInTheWindow, OfAMotionThatWasOpenedTheHistoryIsAskedAbout) {
+  const QString motion = home().filePath("walk.bvh");
+  const Clip walk = clip_of_take(*window().session()->material().library, 0);
+  std::ofstream(motion.toStdString()) << *write_bvh(std::vector<Clip>{walk});
+  window().openFiles({motion});
+  ASSERT_TRUE(until([] {
+    return window().session()->material().reading.file.size() > 0 && !desk().folder().isEmpty() &&
+           engine().history().span().last_s > 0.5;
+  })) << window().messages().text().toStdString();
+  bool allowed = true;
+  {
+    AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+    ASSERT_TRUE(until([] { return desk().unsaved(false) > 0; })) << "once it is on disk";
+    desk().leaveSession(allowed);
+    EXPECT_FALSE(allowed) << "cancelled";
+    EXPECT_EQ(asked.times, 1);
+  }
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session()->material().reading.file.empty(); }));
+}
+
+TEST_F(HistoryInTheWindow, AMomentGoesWithoutAQuestionMoreIsAskedAboutAndKept) {
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty() && engine().history().span().last_s > 0.6; }));
+  ticker().setRange(0.1, 0.5);  // as with I and O: a person has looked for something
+  bool allowed = true;
+  {
+    AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+    desk().settles_s = 1e9;
+    desk().leaveSession(allowed);
+    EXPECT_TRUE(allowed);
+    EXPECT_EQ(asked.times, 0);
+    desk().settles_s = 0.1;
+    desk().leaveSession(allowed);
+    EXPECT_FALSE(allowed) << "cancelled";
+    EXPECT_EQ(asked.times, 1);
+  }
+  AskedAbout asked(desk(), HistoryDesk::Answer::Keep);
   allowed = true;
   desk().leaveSession(allowed);
   EXPECT_TRUE(allowed);
@@ -128,8 +185,6 @@ TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAbout
   ASSERT_TRUE(until([&] { return !desk().folder().isEmpty() && desk().folder() != folder; }));
   EXPECT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()).size(), 1) << "offered at the next start";
   HistoryDesk::discard(folder + "/1.abrazo");
-  desk().long_s = 300;
-  desk().ask = before;
 }
 
 /// "Save?" was followed by "Keep the history?".
@@ -139,7 +194,8 @@ TEST_F(HistoryInTheWindow, ClosingWithChangesAndALongHistoryIsOneQuestion) {
   Markers markers = window().document().markers();
   markers.add(0.1, "turn");
   window().document().changeMarkers(markers, "add marker");
-  desk().long_s = 0.1;
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty() && engine().history().span().last_s > 0.5; }));
+  desk().settles_s = 0.1;
   int asked = 0;
   const auto own_ask = desk().ask;
   desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Cancel; };
@@ -166,7 +222,7 @@ TEST_F(HistoryInTheWindow, ClosingWithChangesAndALongHistoryIsOneQuestion) {
   EXPECT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()).size(), 1) << "offered at the next start";
   HistoryDesk::discard(folder + "/1.abrazo");
   project.setAsks(false);
-  desk().long_s = 300;
+  desk().settles_s = history_settles_s;
   desk().ask = own_ask;
 }
 
@@ -183,7 +239,7 @@ TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
   bool allowed = true;
   const auto own_ask = desk().ask;
   desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Discard; };
-  desk().long_s = 2;
+  desk().settles_s = 2;
   desk().leaveSession(allowed);
   EXPECT_EQ(asked, 0) << "what is saved goes without a question";
   window().openFiles({file});
@@ -207,7 +263,7 @@ TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
   ASSERT_TRUE(ticker().shown());
   EXPECT_EQ(ticker().shown()->index, early->index) << "the past can be scrubbed";
   desk().ask = own_ask;
-  desk().long_s = 300;
+  desk().settles_s = history_settles_s;
   window().openDemo();
   ASSERT_TRUE(until([] { return window().session() && !window().session()->material().recorded; }));
 }
@@ -224,6 +280,48 @@ TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {
   EXPECT_EQ(QFileInfo(adopted).absolutePath(), QFileInfo(sessions_folder()).absoluteFilePath());
   EXPECT_FALSE(QDir(crashed).exists());
   EXPECT_TRUE(HistoryDesk::leftBehind(remembered().historyFolder()).isEmpty());
+}
+
+/// A message above it went, and Discard was where its button to close had been; it deleted at once.
+TEST_F(HistoryInTheWindow, WhatACrashLeftIsDeletedOnlyAfterAQuestionAndItsButtonsStayWhereTheyAre) {
+  const QString crashed = remembered().historyFolder() + "/crashed";
+  ASSERT_TRUE(QDir().mkpath(crashed));
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty(); })) << "a worker makes the files";
+  ASSERT_TRUE(QFile::copy(QDir(desk().folder()).filePath("1.abrazo"), crashed + "/1.abrazo"));
+  auto& bar = *window().findChild<widgets::LeftoverBar*>();
+  offer_leftovers(window(), bar);
+  ASSERT_TRUE(until([&] { return bar.isVisible(); }));
+  QPushButton* discard = nullptr;
+  for (auto* each : bar.findChildren<QPushButton*>())
+    if (each->text() == "Discard") discard = each;
+  ASSERT_TRUE(discard);
+  const auto place = [&] { return discard->mapToGlobal(QPoint()); };
+  window().messages().showError("first");
+  turn();
+  const QPoint before = place();
+  window().messages().succeed({}, "first", true);
+  ASSERT_TRUE(until([] { return !window().messages().isVisible(); }));
+  turn();
+  EXPECT_EQ(place(), before);
+  const auto answer = [](const QString& words) {
+    QTimer::singleShot(100, [words] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(box);
+      EXPECT_TRUE(box->informativeText().contains("cannot be brought back"));
+      for (QAbstractButton* each : box->buttons())
+        if (each->text().remove('&') == words) return each->click();
+      ADD_FAILURE() << "no button " << words.toStdString();
+      box->reject();
+    });
+  };
+  answer("Cancel");
+  discard->click();
+  EXPECT_TRUE(QDir(crashed).exists());
+  EXPECT_TRUE(bar.isVisible()) << "it is still offered";
+  answer("Delete");
+  discard->click();
+  EXPECT_FALSE(QDir(crashed).exists());
+  EXPECT_FALSE(bar.isVisible());
 }
 
 TEST_F(HistoryInTheWindow, APinOnAParkedFrameIsTriedThereAndTheLivePartnerIsNotTold) {

@@ -19,6 +19,7 @@
 #include "app/workbench/library/import_rules_dialog.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "app/workbench/library/marker_table.hpp"
+#include "app/workbench/project/history_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/bvh/bvh.hpp"
@@ -233,6 +234,7 @@ TEST_F(ImportPanelTest, WorkThatWouldBeLostIsAskedAboutOnceAndAfterThePanel) {
   int asked = 0;
   ProjectDesk::Answer answer = ProjectDesk::Answer::Cancel;
   project.ask = [&] { return ++asked, answer; };
+  window().findChild<HistoryDesk*>()->ask = [](double) { return HistoryDesk::Answer::Discard; };
   project.setAsks(true);
   window().document().changeSetting("alpha", "0.23");
   const std::string before = open().input.name;

@@ -13,8 +13,10 @@
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/autosave.hpp"
+#include "app/workbench/project/history_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
+#include "app/workbench/shell/change_history.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
@@ -41,6 +43,7 @@ class ProjectActions : public DemoWindow {
     reopen([] { window().openDemo(); });
     desk().setAsks(true);
     desk().ask = [this] { return ++asked, answer; };
+    window().findChild<HistoryDesk*>()->ask = [](double) { return HistoryDesk::Answer::Discard; };
   }
   void TearDown() override { desk().setAsks(false); }
 
@@ -272,6 +275,25 @@ TEST_F(ProjectActions, UndoGoesOnAcrossASave) {
   const auto session = saved->annotations.find("");  // with nothing said it need not be there
   if (session == saved->annotations.end()) return;
   for (const AnnotationTier& tier : session->second.tiers()) EXPECT_TRUE(tier.annotations.empty());
+}
+
+TEST_F(ProjectActions, UndoEndsWithItsSession) {
+  annotate(0.5, 1, "of the session before");
+  window().document().changeSetting("alpha", "0.33");
+  ASSERT_TRUE(window().undoStack().canUndo());
+  auto* changes = window().findChild<ChangeHistory*>();
+  ASSERT_TRUE(changes);
+  EXPECT_EQ(changes->count(), 3);
+  save_as("before.abrazo");
+  reopen([] { window().openDemo(); });
+  EXPECT_FALSE(window().undoStack().canUndo());
+  ASSERT_TRUE(action("Undo")) << "without the words of the session before";
+  EXPECT_FALSE(action("Undo")->isEnabled());
+  ASSERT_EQ(changes->count(), 1);
+  EXPECT_EQ(changes->item(0)->text(), "As it was opened");
+  reopen([] { window().openFiles({file("before.abrazo")}); });
+  EXPECT_FALSE(window().undoStack().canUndo());
+  EXPECT_EQ(annotated(), 1U);
 }
 
 TEST_F(ProjectActions, TakesAreRecordedIntoTheFileOfTheProjectAndItIsSavedMeanwhile) {

@@ -1,14 +1,17 @@
 // Live streams in the whole window: real packets over the loopback, as a person sees and steers them.
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFile>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "app/workbench/stream/latency_desk.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "tests/workbench/streamed_performer.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -20,6 +23,7 @@
 #include "widgets/stream/scene_notice.hpp"
 #include "widgets/stream/sink_list.hpp"
 #include "widgets/stream/stream_head.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app::stream_actions_test {
 namespace {
@@ -250,6 +254,39 @@ TEST_F(StreamActions, AFrameOfThePastTellsItsOwnLatency) {
   ASSERT_TRUE(until([&] { return ticker().shown()->index == past->index; }));
   const auto sample = window().findChild<LatencyDesk*>()->log().of(window().session()->history(), *past);
   EXPECT_NEAR(sample.end_to_end, 1000 * (past->times.solved_s - past->times.arrived_s), 1e-6);
+}
+
+/// The file grew by every frame of the stream, without a save.
+TEST_F(StreamActions, ASavedSessionChangesWhenItIsSavedNotWhenAStreamIsConnected) {
+  const QString file = home().filePath("my take.abrazo");
+  auto& project = *window().findChild<ProjectDesk*>();
+  const auto is_saved = [&] { return !project.isSaving(); };
+  const auto contents = [&] {
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+  };
+  const SessionEngine& engine = window().session()->engine();
+  ASSERT_TRUE(until([&] { return !engine.recorder(); })) << "of the stream before";
+  project.saveAs(file);
+  ASSERT_TRUE(until(is_saved));
+  const QByteArray saved = contents();
+  ASSERT_FALSE(saved.isEmpty());
+  const Clip dancer = clip();
+  StreamedPerformer performer(dancer, listen());
+  ASSERT_TRUE(receives());
+  EXPECT_TRUE(window().messages().text().contains("saving adds it to my take.abrazo"))
+      << window().messages().text().toStdString();
+  const std::uint64_t first = live().index;
+  ASSERT_TRUE(until([&] { return live().index > first + 50; }));
+  EXPECT_FALSE(engine.recorder());
+  EXPECT_EQ(contents(), saved);
+  project.save();
+  ASSERT_TRUE(until(is_saved));
+  const auto session = SessionFile::open(file.toStdString());
+  ASSERT_TRUE(session) << session.error().text();
+  EXPECT_GT((*session)->contents().last_frame, first + 40) << "now the frames of the stream are in it";
+  EXPECT_TRUE((*session)->recovery().empty());
+  desk().disconnectStream();
 }
 
 }  // namespace

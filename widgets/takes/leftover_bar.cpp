@@ -18,12 +18,13 @@ LeftoverBar::LeftoverBar(QWidget* parent) : QWidget(parent) {
   m_keep = new QPushButton("Keep it", this);
   m_keep->setToolTip("The file stays where it is and is not offered again");
   m_discard = new QPushButton("Discard", this);
-  m_discard->setToolTip("Moves it to the trash");
+  m_discard->setToolTip("Moves a session to the trash; asks before changes or a history are deleted");
   auto* row = row_in(this, {12, 6, 12, 6}, 6);
   row->addWidget(m_text, 1);
   const auto connect_button = [this, row](QPushButton* button, auto signal) {
     row->addWidget(button);
-    connect(button, &QPushButton::clicked, this, [this, signal] {
+    connect(button, &QPushButton::clicked, this, [this, button, signal] {
+      if (button == m_discard && confirmDiscard && !confirmDiscard(m_sessions.front())) return;
       const QString file = m_sessions.front().file;
       next();
       emit(this->*signal)(file);

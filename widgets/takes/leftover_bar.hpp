@@ -2,6 +2,8 @@
 
 #include <QStringList>
 #include <QWidget>
+#include <functional>
+#include <vector>
 
 #include "widgets/common/palette.hpp"
 
@@ -26,6 +28,8 @@ class LeftoverBar : public QWidget {
   void setColours(const Palette& palette);
   void offer(std::vector<LeftoverSession> sessions);
   QString text() const;
+  /// Whether this one is discarded; asked before it leaves the bar. Without one it is.
+  std::function<bool(const LeftoverSession& session)> confirmDiscard;
 
  signals:
   void openRequested(const QString& file);

@@ -205,6 +205,7 @@ void Document::endSession() {
 void Document::beginSession(PreparedSolver prepared) {
   const bool same_library = m_session && m_session->material().library == prepared.material.library;
   tryPin({});
+  m_undo.clear();  // its steps are of the session that ends
   endSession();
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();

@@ -13,6 +13,7 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/takes/take_desk.hpp"
 #include "core/base/text.hpp"
 #include "core/session/frames/time_place.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -85,7 +86,8 @@ struct HistoryDesk::Files {
   }
 };
 
-HistoryDesk::HistoryDesk(MainWindow& window) : QObject(&window), m_window(window) {
+HistoryDesk::HistoryDesk(MainWindow& window, const TakeDesk& takes)
+    : QObject(&window), m_window(window), m_takes(takes) {
   setObjectName("history desk");
   connect(&window.document(), &Document::began, this, &HistoryDesk::begin);
   connect(&window.document(), &Document::ending, this, &HistoryDesk::end);
@@ -108,6 +110,7 @@ void HistoryDesk::begin() {
   m_toldMarkers.clear();
   m_toldFailure.clear();
   m_isToldBound = false;
+  m_hadStream = false;
   const auto recorded = m_window.session()->material().recorded;
   m_savedTo_s = recorded ? recorded->last_s() : 0;
   m_window.timeline().showLost({});
@@ -138,20 +141,30 @@ void HistoryDesk::take(Files& files) {
   m_window.session()->engine().keep_history(m_keeper);
 }
 
-double HistoryDesk::unsaved() const {
+bool HistoryDesk::isDemo() const {
+  const Material& material = m_window.session()->material();
+  return material.is_generated && !material.project && !material.recorded && material.reading.file.empty() &&
+         !m_hadStream && !m_window.session()->engine().receiver();
+}
+
+double HistoryDesk::unsaved(bool has_changes) const {
   if (!m_window.session() || !m_keeper) return 0;
   const auto span = m_window.session()->engine().history().span();
   const FrameSnapshotPtr newest = m_window.session()->latest().newest();
   const double rate_hz = newest ? newest->input_rate_hz : 0;
   const auto frames = static_cast<double>(span.frames + span.stored);
+  const Playback& playback = m_window.ticker().playback();
+  EndingHistory history;
   // The time while an input was held has no frames.
-  const double seconds = std::min(span.last_s - std::max(span.first_s, m_savedTo_s),
-                                  rate_hz > 0 ? frames / rate_hz : span.last_s);
-  return seconds < long_s ? 0 : seconds;
+  history.unsaved_s =
+      std::min(m_keeper->kept_after_s(m_savedTo_s), rate_hz > 0 ? frames / rate_hz : span.last_s);
+  history.is_demo = isDemo();
+  history.is_touched = has_changes || !m_takes.takes().empty() || playback.in_set || playback.out_set;
+  return asks_before_deleting(history, settles_s) ? history.unsaved_s : 0;
 }
 
 void HistoryDesk::leaveSession(bool& allowed) {
-  const double seconds = unsaved();
+  const double seconds = unsaved(false);
   if (seconds <= 0) return;
   const Answer answer = ask(seconds);
   m_isLeft = answer == Answer::Keep;
@@ -177,6 +190,7 @@ void HistoryDesk::end() {
 
 void HistoryDesk::look() {
   if (!m_window.session()) return;
+  m_hadStream = m_hadStream || m_window.session()->engine().receiver();
   const auto span = m_window.session()->engine().history().span();
   const HistoryKeeper::State state = m_keeper ? m_keeper->state() : HistoryKeeper::State();
   const QString failure = QString::fromStdString(state.failure);

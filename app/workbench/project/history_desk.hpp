@@ -7,12 +7,14 @@
 #include <memory>
 #include <set>
 
+#include "core/session/edit/ending_history.hpp"
 #include "core/session/run/history_keeper.hpp"
 
 namespace abrazo::app {
 
 class Job;
 class MainWindow;
+class TakeDesk;
 
 /// Keeps the frames of the running session in files of a separate folder, reports what the bound removes, and
 /// deletes the folder when the session ends. A lock beside the folder identifies the owner process, so that a
@@ -21,19 +23,20 @@ class HistoryDesk : public QObject {
   Q_OBJECT
  public:
   enum class Answer { Keep, Discard, Cancel };
-  double long_s = 300;  ///< so much that is in no session file is not deleted without a question [s]
+  double settles_s = history_settles_s;  ///< less than this is deleted without a question [s]
 
-  explicit HistoryDesk(MainWindow& window);
+  HistoryDesk(MainWindow& window, const TakeDesk& takes);
   ~HistoryDesk() override;
 
   /// Folder of the session's files; empty = history is in memory only, or its files are still being made.
   const QString& folder() const { return m_folder; }
   /// The files stay for the next start.
   void leave() { m_isLeft = true; }
-  /// Of the session that is in no file: so much [s] that it is worth a question, else 0.
-  double unsaved() const;
-  /// The session is about to end: asks whether to keep a long history. @param allowed  set to false if the
-  /// user cancels
+  /// Length of the history that is in no session file, if a person has to be asked about it, else 0 [s].
+  /// @param has_changes  the project has unsaved changes
+  double unsaved(bool has_changes) const;
+  /// A session without unsaved changes is about to end: asks whether to keep its history, if that is not to
+  /// be deleted without a question. @param allowed  set to false if the user cancels
   void leaveSession(bool& allowed);
   /// The frames up to this time are in a session file.
   void noteSaved(double until_s) { m_savedTo_s = until_s; }
@@ -59,8 +62,10 @@ class HistoryDesk : public QObject {
   void end();
   QString lostMarkers(double first_s);
   double bound() const;
+  bool isDemo() const;
 
   MainWindow& m_window;
+  const TakeDesk& m_takes;
   QTimer m_timer;
   QString m_folder, m_toldFailure;
   std::unique_ptr<QLockFile> m_lock;
@@ -69,6 +74,7 @@ class HistoryDesk : public QObject {
   std::set<int> m_toldMarkers;
   double m_savedTo_s = 0;
   bool m_isToldBound = false, m_isLeft = false;
+  bool m_hadStream = false;
 };
 
 }  // namespace abrazo::app

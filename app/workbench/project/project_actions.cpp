@@ -19,10 +19,10 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
       add_action(window, menu, "Save as…", {QKeySequence("Ctrl+Shift+S")}, [desk] { desk->askSaveAs(); });
   for (QAction* action : {save, save_as})
     move_before(*menu, action, action_of(window, "file.generated_dance"));
-  auto* history = new HistoryDesk(window);
+  auto* history = new HistoryDesk(window, takes);
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
   QObject::connect(desk, &ProjectDesk::keepingHistory, history, &HistoryDesk::leave);
-  desk->unsavedHistory = [history] { return history->unsaved(); };
+  desk->unsavedHistory = [history] { return history->unsaved(true); };
   QObject::connect(desk, &ProjectDesk::losingHistory, history, &HistoryDesk::leaveSession);
   QObject::connect(desk, &ProjectDesk::historySaved, history, &HistoryDesk::noteSaved);
   add_action(window, menu_of(window, "Timeline"), "History on disk…", {}, [history] { history->askBound(); });

@@ -45,8 +45,8 @@ class ProjectDesk : public QObject {
   /// Answers to "save changes?"; asked by a dialog unless a test overrides it.
   enum class Answer { Save, Discard, KeepHistory, Cancel };
   std::function<Answer()> ask;
-  /// Seconds of the history that are in no file, if they are worth a question, else 0: one question asks
-  /// about both.
+  /// Seconds of the history of a changed session that are in no file, if they are worth a question, else 0:
+  /// one question asks about both.
   std::function<double()> unsavedHistory = [] { return 0.0; };
   /// Answers to "write the library beside it?", if the library is not a file yet.
   enum class LibraryAnswer { Write, SaveWithout, Cancel };

@@ -1,5 +1,7 @@
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
@@ -40,12 +42,27 @@ void open_leftover(MainWindow& window, const QString& file) {
   window.openFiles({adopted});
 }
 
+bool is_autosave(const MainWindow& window, const QString& file) {
+  return QFileInfo(file).absolutePath() == QFileInfo(window.remembered().autosaveFolder()).absoluteFilePath();
+}
+
+/// What does not go to the trash is deleted for good.
+bool may_discard(MainWindow& window, const widgets::LeftoverSession& session) {
+  if (!is_history(window, session.file) && !is_autosave(window, session.file)) return true;
+  QMessageBox box(QMessageBox::Question, "Abrazo", "Delete this for good?", QMessageBox::Cancel, &window);
+  box.setInformativeText(session.words + ". It cannot be brought back. Open makes it a session.");
+  const QAbstractButton* sure = box.addButton("Delete", QMessageBox::DestructiveRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == sure;
+}
+
 void discard(MainWindow& window, const QString& file) {
   if (is_history(window, file)) {
     HistoryDesk::discard(file);
     return window.messages().showInformation("The history was discarded");
   }
-  if (QFileInfo(file).absolutePath() == QFileInfo(window.remembered().autosaveFolder()).absoluteFilePath()) {
+  if (is_autosave(window, file)) {
     Autosave::remove(file);
     return window.messages().showInformation("The changes that were not saved were discarded");
   }
@@ -75,7 +92,10 @@ LeftoverBar& add_session_actions(MainWindow& window) {
 
   auto* bar = new LeftoverBar;
   window.colour(bar);
-  window.addBelowMessages(bar);
+  window.addAboveMessages(bar);
+  bar->confirmDiscard = [&window](const widgets::LeftoverSession& session) {
+    return may_discard(window, session);
+  };
   QObject::connect(bar, &LeftoverBar::openRequested, &window,
                    [&window](const QString& file) { open_leftover(window, file); });
   QObject::connect(bar, &LeftoverBar::discardRequested, &window,

@@ -53,7 +53,8 @@ void show_session(MainWindow& window) {
   window.candidates().setLibrary(material.library);
   window.timeline().setLibrary(material.library);
   window.takes().setLibrary(material.library);
-  window.panels().setHead("library", "Library · " + library);
+  const bool is_named = library.compare("library", Qt::CaseInsensitive) != 0;
+  window.panels().setHead("library", is_named ? "Library · " + library : "Library");
   window.transport().setInput(QString("%1 %2 · %3 Hz")
                                   .arg(material.is_only_recorded() ? "recorded" : "clip", input)
                                   .arg(material.input.fps, 0, 'f', 0));

@@ -154,6 +154,10 @@ void MainWindow::addBelowMessages(QWidget* bar) {
   m_notices->add(bar);
 }
 
+void MainWindow::addAboveMessages(QWidget* bar) {
+  m_notices->addFirst(bar);
+}
+
 void MainWindow::addBesideScene(QWidget* page) {
   m_besideScene = page;
   m_sceneRow->insertWidget(0, page);

@@ -90,6 +90,8 @@ class MainWindow : public QMainWindow {
 
   /// A bar over the scene, below its buttons.
   void addBelowMessages(QWidget* bar);
+  /// One with buttons, which messages that come or go do not move.
+  void addAboveMessages(QWidget* bar);
   /// Left of the scene.
   void addBesideScene(QWidget* page);
   QWidget* besideScene() const { return m_besideScene; }  ///< may be null

@@ -109,7 +109,7 @@ void TakeDesk::beginTake() {
 void TakeDesk::endTake(bool stopsRecorder) {
   if (const auto recorder = m_window.session()->engine().recorder()) recorder->end_take();
   follow();
-  if (stopsRecorder && (!m_window.remembered().keepsEverything() || !m_hasStream)) stopRecorder();
+  if (stopsRecorder && (!recordsStreams() || !m_hasStream)) stopRecorder();
   const RecordedTake take = m_takes.end();
   if (take.frames == 0)
     m_window.messages().showInformation(QString::fromStdString(take.name) +
@@ -234,20 +234,29 @@ void TakeDesk::writeMarkers() {
 void TakeDesk::keepEverything(bool on) {
   m_window.remembered().setKeepsEverything(on);
   if (m_window.session() && m_hasStream) {
-    if (on) record();
+    if (recordsStreams()) record();
     if (!on && !isRecording()) stopRecorder();
   }
   update();
 }
 
+/// A saved file changes when it is saved again, or when a take is recorded into it.
+bool TakeDesk::recordsStreams() const {
+  return m_window.remembered().keepsEverything() && !m_isSaved;
+}
+
 void TakeDesk::prepareStream() {
-  if (!m_window.session() || !m_window.remembered().keepsEverything()) return;
+  if (!m_window.session()) return;
+  if (m_isSaved && m_window.remembered().keepsEverything())
+    m_window.messages().showInformation("The stream is kept in the history; saving adds it to " +
+                                        QFileInfo(m_file).fileName());
+  if (!recordsStreams()) return;
   m_isForStream = m_file.isEmpty();
   m_hasStream = record();
 }
 
 bool TakeDesk::isReadyForStream() const {
-  return !m_window.remembered().keepsEverything() || !isFinishingFile();
+  return !recordsStreams() || !isFinishingFile();
 }
 
 /// Of a stream that could not be opened nothing is left.
@@ -272,6 +281,7 @@ void TakeDesk::takeFile() {
 
 void TakeDesk::setFile(const QString& file) {
   m_file = file;
+  m_isSaved = true;
   m_isForStream = false;
   m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
   update();
@@ -290,6 +300,7 @@ void TakeDesk::onSessionEnding() {
   m_lastState = {};
   m_toldFailure.clear();
   m_hasStream = false;
+  m_isSaved = false;
   showTakes();
 }
 
@@ -318,7 +329,7 @@ void TakeDesk::finishFile() {
 void TakeDesk::update() {
   if (!m_window.session()) return m_panel.showStatus({});
   const bool has_stream = m_window.session()->engine().receiver() != nullptr;
-  if (has_stream && !m_hasStream && m_window.remembered().keepsEverything()) record();
+  if (has_stream && !m_hasStream && recordsStreams()) record();
   if (!has_stream && m_hasStream && !isRecording()) discardIfUnused();
   if (has_stream) m_isForStream = false;
   m_hasStream = has_stream;

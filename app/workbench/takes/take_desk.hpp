@@ -33,7 +33,8 @@ class TakeDesk : public QObject {
   void again();
   bool isRecording() const { return m_sequence.phase == TakeSequence::Phase::Recording; }
 
-  /// Records everything from now on, or only takes.
+  /// Records everything from now on, or only takes. A stream is not recorded into a file that a person saved:
+  /// its frames are in the history until the next save.
   void keepEverything(bool on);
   /// Call before a stream is opened, so that its first frame is recorded too.
   void prepareStream();
@@ -50,7 +51,7 @@ class TakeDesk : public QObject {
 
   /// File of the session; empty = none.
   const QString& file() const { return m_file; }
-  /// Continues the session in this file. Not during recording.
+  /// Continues the session in this file, which a person saved or opened. Not during recording.
   void setFile(const QString& file);
   /// The recorder of the file that a worker is finishing; null = none. The file can be written by others once
   /// finish() of it has returned.
@@ -78,6 +79,7 @@ class TakeDesk : public QObject {
   void beginTake();
   void endTake(bool stopsRecorder = true);
   bool record();
+  bool recordsStreams() const;
   enum class Afterwards { Keep, Discard };
   void stopRecorder(Afterwards afterwards = Afterwards::Keep);
   bool isFinishingFile() const;
@@ -107,6 +109,7 @@ class TakeDesk : public QObject {
   Recorder::State m_lastState;
   QString m_toldFailure;
   bool m_hasStream = false;
+  bool m_isSaved = false;      ///< the file was saved or opened by a person
   bool m_isForStream = false;  ///< the file was created for a stream that is not connected yet
   int m_session = 0;
 };

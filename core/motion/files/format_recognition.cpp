@@ -60,7 +60,7 @@ constexpr std::array foreign_files = {
     Foreign{"MATLAB 5.0", "", "a MATLAB file; write its positions as CSV or C3D, or "},
     Foreign{"PK\x03\x04", "", "a ZIP archive; unpack it first, and open what is in it"},
     Foreign{"\x1f\x8b", "", "compressed (gzip); unpack it first, and open what is in it"},
-    Foreign{"\x89HDF", "", "an HDF5 file; a library of Abrazo is opened by itself, not as a motion"},
+    Foreign{"\x89HDF", "", "an HDF5 file, not a motion; a library of Abrazo needs a name that ends in .h5"},
     Foreign{"SQLite format 3", "", "a database; a session of Abrazo ends in .abrazo and is opened by itself"},
     Foreign{"\x89PNG", "", "a picture, not a motion"},
     Foreign{"\xff\xd8\xff", "", "a picture, not a motion"},

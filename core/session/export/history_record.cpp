@@ -16,8 +16,18 @@ SessionSource source_of(const FrameSnapshot& frame, const MotionLibrary* open) {
   source.time_s = frame.time_s;
   const FrameResult& result = frame.result;
   const MotionLibrary* library = frame.library ? frame.library.get() : open;
-  if (result.selected < 0 || !library) return source;
+  if (result.selected < 0) return source;
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (!frame.library && frame.noted_pairs) {
+    const auto noted = frame.noted_pairs->find(pair);
+    if (noted == frame.noted_pairs->end()) return source;
+    source.take = noted->second.take;
+    source.take_frame = noted->second.frame;
+    source.swapped = noted->second.swapped;
+    source.label = noted->second.label;
+    return source;
+  }
+  if (!library) return source;
   if (pair < 0 || pair >= library->pair_count()) return source;
   source.take = library->take_of(pair).name;
   source.take_frame = static_cast<int>(library->source(pair).frame);

@@ -265,12 +265,15 @@ class FileFrames : public RecordedFrames {
 
   FrameSnapshotPtr finished(FrameReader::Read& read) const {
     FrameSnapshot& frame = *read.frame;
-    if (read.library)
+    if (read.library) {
       if (const Library library = library_of(*read.library)) {
         if (!has_pairs_of(*library, frame)) forget_pairs(frame);
         complete(frame, *library);
         frame.library = library;
+      } else {
+        frame.noted_pairs = noted_pairs_of(*read.library);
       }
+    }
     frame.index -= origin_.offset_frames;
     frame.time_s -= origin_.offset_s;
     for (double* time : {&frame.times.arrived_s, &frame.times.assembled_s, &frame.times.taken_s,
@@ -370,6 +373,22 @@ class FileFrames : public RecordedFrames {
     return by_id_[id] = found;
   }
 
+  /// What the file notes of the pairs of a library that is not at hand.
+  std::shared_ptr<const NotedPairs> noted_pairs_of(std::int64_t id) const {
+    std::shared_ptr<const NotedPairs>& known = noted_by_id_[id];
+    if (known) return known;
+    auto noted = std::make_shared<NotedPairs>();
+    auto rows = database_->prepare("SELECT pair, take, frame, swapped, label FROM pairs WHERE library = ?");
+    if (rows) {
+      rows->bind(0, id);
+      for (auto more = rows->step(); more && *more; more = rows->step())
+        noted->insert_or_assign(static_cast<int>(rows->integer(0)),
+                                NotedPair{rows->text(1), static_cast<int>(rows->integer(2)),
+                                          rows->integer(3) != 0, rows->text(4)});
+    }
+    return known = std::move(noted);
+  }
+
   const std::string path_;
   const Origin origin_;
   mutable std::mutex mutex_;                         ///< of all that follows but the span
@@ -383,6 +402,7 @@ class FileFrames : public RecordedFrames {
   std::unordered_map<std::string, Library> libraries_;  ///< by fingerprint
   std::unordered_map<std::int64_t, Library> by_row_;    ///< that were said
   mutable std::unordered_map<std::int64_t, Library> by_id_;
+  mutable std::unordered_map<std::int64_t, std::shared_ptr<const NotedPairs>> noted_by_id_;
   mutable std::uint64_t damaged_ = 0;
   mutable std::string damage_;
   mutable std::int64_t known_version_ = -1;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/utc_time.hpp"
 #include "core/session/file/project_schema.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_schema.hpp"
@@ -63,6 +64,28 @@ Status edit_session_takes(const std::string& path, const TakeEdits& edits) {
   return !edited ? edited : !ended ? ended : closed;
 }
 
+Status end_open_takes(SessionDatabase& database) {
+  return database.execute(
+      "UPDATE takes SET last_frame = (SELECT max(frame) FROM frames), "
+      "end_s = (SELECT time_s FROM frames ORDER BY frame DESC LIMIT 1) WHERE end_s IS NULL");
+}
+
+namespace {
+
+Status end_open_runs(const std::string& path) {
+  auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
+  if (!database) return database.error();
+  Status ended = end_open_takes(*database);
+  if (ended) {
+    auto runs = database->prepare("UPDATE runs SET ended_at = ? WHERE ended_at IS NULL");
+    ended = runs ? runs->bind(0, utc_now()).run() : Status(runs.error());
+  }
+  const Status closed = database->close();
+  return ended ? closed : ended;
+}
+
+}  // namespace
+
 Status copy_session(const std::string& path, const std::string& copy) {
   std::error_code trouble;
   if (std::filesystem::equivalent(path, copy, trouble))
@@ -71,7 +94,8 @@ Status copy_session(const std::string& path, const std::string& copy) {
   if (!database) return database.error();
   const Status known = check_session_schema(*database);
   if (!known) return known;
-  return database->copy_to(copy);
+  const Status copied = database->copy_to(copy);
+  return copied ? end_open_runs(copy) : copied;
 }
 
 }  // namespace abrazo

@@ -20,8 +20,11 @@ Status edit_session_takes(const std::string& path, const TakeEdits& edits);
 /// The same in a running transaction.
 Status apply_take_edits(SessionDatabase& database, const TakeEdits& edits);
 
-/// Copies a whole session to one file, also during recording: with everything on disk by then. An existing
-/// file is replaced when the copy is complete.
+/// Takes without an end end with the last frame.
+Status end_open_takes(SessionDatabase& database);
+
+/// Copies a whole session to one file, also during recording: with everything on disk by then. Nobody records
+/// into the copy: its runs and takes have an end. An existing file is replaced when the copy is complete.
 Status copy_session(const std::string& path, const std::string& copy);
 
 }  // namespace abrazo

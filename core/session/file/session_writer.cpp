@@ -117,7 +117,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
 
 /// A file that is gone on in keeps its frames; those of this session come after them.
 Status SessionWriter::begin_run() {
-  if (const Status closed = close_open_takes(); !closed) return closed;
+  if (const Status closed = end_open_takes(database_); !closed) return closed;
   auto last = database_.prepare("SELECT frame, time_s FROM frames ORDER BY frame DESC LIMIT 1");
   if (!last) return last.error();
   const auto has_last = last->step();
@@ -147,13 +147,6 @@ Status SessionWriter::begin_run() {
   return database_.execute(
       "INSERT INTO meta VALUES ('units', 'm, s; right-handed, Y up'), ('poses', 'float64 [25][3], "
       "little-endian')");
-}
-
-/// Of a session that was cut off: they end with its last frame.
-Status SessionWriter::close_open_takes() {
-  return database_.execute(
-      "UPDATE takes SET last_frame = (SELECT max(frame) FROM frames), "
-      "end_s = (SELECT time_s FROM frames ORDER BY frame DESC LIMIT 1) WHERE end_s IS NULL");
 }
 
 Status SessionWriter::prepare_statements() {

@@ -96,7 +96,6 @@ class SessionWriter {
   SessionWriter(SessionDatabase database, RecordingFacts facts, Origin frames);
   Status prepare_file(const RecorderOptions& options);
   Status begin_run();
-  Status close_open_takes();
   Status prepare_statements();
   Status note_input(const FrameSnapshot& frame, std::int64_t index);
   Status note_library(const FrameSnapshot& frame, std::int64_t index);

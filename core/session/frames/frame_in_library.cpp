@@ -6,13 +6,25 @@
 
 namespace abrazo {
 
+namespace {
+
+int pair_of_frame(const MotionLibrary& library, const std::string& take, int frame, bool swapped) {
+  const int same = library.find_pair(take, frame, swapped);
+  return same >= 0 ? same : library.find_pair(take, frame, !swapped);
+}
+
+}  // namespace
+
 int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
   if (pair < 0 || pair >= from.pair_count()) return -1;
   const PairSource& source = from.source(pair);
-  const std::string& take = from.take_of(pair).name;
-  const int frame = static_cast<int>(source.frame);
-  const int same = to.find_pair(take, frame, source.swapped);
-  return same >= 0 ? same : to.find_pair(take, frame, !source.swapped);
+  return pair_of_frame(to, from.take_of(pair).name, static_cast<int>(source.frame), source.swapped);
+}
+
+int same_pair(const NotedPairs& from, int pair, const MotionLibrary& to) {
+  const auto noted = from.find(pair);
+  if (noted == from.end()) return -1;
+  return pair_of_frame(to, noted->second.take, noted->second.frame, noted->second.swapped);
 }
 
 PairNumbers::PairNumbers(const MotionLibrary& from, const MotionLibrary& to) : from_(from), to_(to) {
@@ -36,29 +48,39 @@ int PairNumbers::operator()(int pair) {
 
 namespace {
 
-/// A pair within this number, or none.
-bool is_within(int pair, int count) {
-  return pair >= -1 && pair < count;
+/// Nothing is known of the library that a frame was solved with.
+bool is_of_unknown_library(const FrameSnapshot& frame) {
+  return !frame.library && !frame.noted_pairs;
+}
+
+/// The number in a library of a pair of the frame's own, of which something is known.
+int number_in(const MotionLibrary& library, const FrameSnapshot& frame, int pair) {
+  return frame.library ? same_pair(*frame.library, pair, library)
+                       : same_pair(*frame.noted_pairs, pair, library);
 }
 
 }  // namespace
 
 bool has_pairs_of(const MotionLibrary& library, const FrameSnapshot& frame) {
-  const int count = library.pair_count();
+  const bool is_noted = !frame.library && frame.noted_pairs;
+  const auto has = [&](int pair) {
+    return pair >= 0 && pair < library.pair_count() && (!is_noted || number_in(library, frame, pair) == pair);
+  };
+  const auto has_or_none = [&](int pair) { return pair == -1 || has(pair); };
   const auto& candidates = frame.result.candidates;
   return std::all_of(candidates.begin(), candidates.end(),
-                     [count](const Candidate& each) { return each.pair >= 0 && each.pair < count; }) &&
-         (!frame.before || (is_within(frame.before->memory.current_pair, count) &&
-                            is_within(frame.before->memory.motion.playhead.pair, count)));
+                     [&](const Candidate& each) { return has(each.pair); }) &&
+         (!frame.before || (has_or_none(frame.before->memory.current_pair) &&
+                            has_or_none(frame.before->memory.motion.playhead.pair)));
 }
 
 int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library) {
   const FrameResult& result = frame.result;
   if (result.selected < 0) return -1;
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
-  if (library && !frame.library) return pair < library->pair_count() ? pair : -1;
   if (!library || frame.library == library) return pair;
-  return same_pair(*frame.library, pair, *library);
+  if (is_of_unknown_library(frame)) return pair < library->pair_count() ? pair : -1;
+  return number_in(*library, frame, pair);
 }
 
 namespace {
@@ -79,20 +101,21 @@ FrameSnapshotPtr without_pairs_beyond(const FrameSnapshotPtr& frame, int pair_co
 FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
                             const std::shared_ptr<const MotionLibrary>& library) {
   if (!frame || !library || frame->library == library) return frame;
-  if (!frame->library) return without_pairs_beyond(frame, library->pair_count());
+  if (is_of_unknown_library(*frame)) return without_pairs_beyond(frame, library->pair_count());
   auto translated = std::make_shared<FrameSnapshot>(*frame);
   FrameResult& result = translated->result;
   result.candidates.clear();
   result.selected = -1;
   for (std::size_t i = 0; i < frame->result.candidates.size(); ++i) {
     Candidate candidate = frame->result.candidates[i];
-    candidate.pair = same_pair(*frame->library, candidate.pair, *library);
+    candidate.pair = number_in(*library, *frame, candidate.pair);
     if (candidate.pair < 0) continue;
     if (static_cast<int>(i) == frame->result.selected)
       result.selected = static_cast<int>(result.candidates.size());
     result.candidates.push_back(candidate);
   }
   translated->library = library;
+  translated->noted_pairs.reset();
   return translated;
 }
 

@@ -11,6 +11,8 @@ namespace abrazo {
 /// The pair of library `to` with the same take, frame and active performer as `pair` of library `from`; if
 /// `to` has that frame only with the other performer active, that pair. -1 if it has neither.
 int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to);
+/// The same for a pair of a library that is not at hand. -1 also if it is not noted.
+int same_pair(const NotedPairs& from, int pair, const MotionLibrary& to);
 
 /// `same_pair` for many pairs of one library, quick where they follow each other. Both libraries outlive it.
 class PairNumbers {
@@ -27,16 +29,16 @@ class PairNumbers {
   int apart_ = 0;  ///< number of the last pair in `to` less that in `from`
 };
 
-/// Whether the library has every pair that a frame and the solver's state before it name. Guards against
-/// inconsistent files.
+/// Whether the library has every pair that a frame and the solver's state before it name, under the same
+/// numbers if its own library is not at hand. Guards against inconsistent files.
 bool has_pairs_of(const MotionLibrary& library, const FrameSnapshot& frame);
 
-/// The pair selected in a frame, numbered as in this library; unchanged if the frame's library is unknown. -1
-/// if nothing is selected, or the library does not have it.
+/// The pair selected in a frame, numbered as in this library; unchanged if nothing is known of the frame's
+/// library. -1 if nothing is selected, or the library does not have it.
 int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library);
 
-/// A frame with candidates numbered as in this library. The same object if they already are, or if the
-/// frame's library is unknown (numbers out of range become -1). Candidates that are not in the library are
+/// A frame with candidates numbered as in this library. The same object if they already are, or if nothing is
+/// known of the frame's library (numbers out of range become -1). Candidates that are not in the library are
 /// dropped; if the selected one is among them, nothing is selected.
 FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
                             const std::shared_ptr<const MotionLibrary>& library);

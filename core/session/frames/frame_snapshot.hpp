@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/session/frames/noted_pairs.hpp"
 #include "core/synthesis/frames/frame_result.hpp"
 #include "core/synthesis/settings/settings.hpp"
 
@@ -36,8 +37,10 @@ struct FrameSnapshot {
   /// intervals; else null. Frames can be solved again from here on.
   std::shared_ptr<const SynthesizerState> before;
   std::shared_ptr<const Decisions> decisions;  ///< in force during the step; null if there are none
-  /// The library of the step, to which the candidates refer; null if unknown.
+  /// The library of the step, to which the candidates refer; null if unknown or not at hand.
   std::shared_ptr<const MotionLibrary> library;
+  /// If the library is not at hand: which recorded frames its numbers mean. Else null.
+  std::shared_ptr<const NotedPairs> noted_pairs;
   /// The name of its input in a recording: URI or clip; null if only the recorder knows it.
   std::shared_ptr<const std::string> input;
   FrameTimes times;

@@ -128,6 +128,17 @@ class FolderKeeper : public HistoryKeeper {
     return state;
   }
 
+  double kept_after_s(double time_s) const override {
+    const std::scoped_lock changing(changing_);
+    double seconds = 0;
+    for (const Part& part : parts_) {
+      if (part.file.empty()) continue;
+      const FrameStore::Span span = part.frames->span();
+      if (span.frames > 0) seconds += std::max(0.0, span.last_s - std::max(span.first_s, time_s));
+    }
+    return seconds;
+  }
+
   std::shared_ptr<const FrameStore> store() const override { return store_; }
 
   void remove() override {
@@ -227,7 +238,7 @@ class FolderKeeper : public HistoryKeeper {
 
   const std::string folder_;
   RecordingFacts facts_;
-  std::mutex changing_;  ///< of the parts
+  mutable std::mutex changing_;  ///< of the parts
   std::vector<Part> parts_;
   std::shared_ptr<const FrameStore> rests_for_;
   std::string writing_file_, trouble_;

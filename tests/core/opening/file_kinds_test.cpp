@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/motion/files/format_recognition.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::file_kinds_test {
@@ -42,6 +43,14 @@ TEST_F(FileKinds, OfJsonAreToldByWhatItHas) {
   EXPECT_EQ(kind_of_file(with("k.json", R"({"name":"x","markers":{"neck":"C7"}})")), FileKind::JointMap);
   EXPECT_EQ(kind_of_file(with("t.json", R"({"tiers":[]})")), FileKind::Labels);
   EXPECT_EQ(kind_of_file(file("none.json")), FileKind::Manifest) << "and is then refused as missing";
+}
+
+/// The name is a person's: the dialog that saves a library takes any.
+TEST_F(FileKinds, OfALibraryUnderAnotherNameIsToldByItsHead) {
+  EXPECT_EQ(kind_of_file(with("salsa.abrazolib", "\x89HDF\r\n\x1a\n")), FileKind::Library);
+  EXPECT_EQ(kind_of_file(with("salsa", "\x89HDF\r\n\x1a\n")), FileKind::Library);
+  EXPECT_EQ(refusal({with("salsa.abrazolib", "\x89HDF\r\n\x1a\n")}), "");
+  EXPECT_THAT(foreign_kind("\x89HDF\r\n", "salsa.bvh"), HasSubstr("a name that ends in .h5"));
 }
 
 TEST_F(FileKinds, OfTablesAreToldByTheirHead) {

@@ -16,6 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 class SessionMaterial : public ::testing::Test, protected test::TemporaryFolder {
@@ -48,7 +49,12 @@ TEST_F(SessionMaterial, WithoutItsMotionFilesItSaysSoAndKeepsWhatWasSaid) {
   const auto material = opened();
   ASSERT_TRUE(material) << material.error().text();
   EXPECT_TRUE(material->stands_in);
-  EXPECT_THAT(material->warnings, Contains(HasSubstr("take_01_a.bvh")));
+  ASSERT_GE(material->warnings.size(), 2U);
+  EXPECT_THAT(material->warnings[0], StartsWith("the generated dance answers in place of the library"));
+  EXPECT_THAT(material->warnings[0], HasSubstr("take_01_a.bvh"));
+  EXPECT_THAT(material->warnings[0], HasSubstr(" and 3 more are not there"));
+  EXPECT_THAT(material->warnings[0], Not(HasSubstr(file("captures")))) << "short";
+  EXPECT_THAT(material->warnings[1], HasSubstr(file("captures"))) << "the whole follows";
   EXPECT_THAT(material->warnings, Contains(HasSubstr("of take_01 are kept, and not shown")));
   Project again;
   describe(*material, again);
@@ -142,6 +148,30 @@ TEST_F(SessionMaterial, ARecordingWithoutItsLibraryOpensOnlyWhenAPersonSaysSo) {
   EXPECT_EQ(material->input.name, "s");
   EXPECT_THAT(material->excluded_takes, IsEmpty()) << "the generated dance has no such take";
   EXPECT_THAT(material->warnings, Contains(HasSubstr("was not a file")));
+}
+
+/// What it was recorded with while its library was missing does not take the library's place.
+TEST_F(SessionMaterial, ALibraryThatAnotherStoodInForIsAskedForAndThereAgain) {
+  test::record(path, built.library, "");
+  test::save(path, built, said());
+  test::record(path, generated_dance({})->library, "");
+  fs::rename(file("captures"), file("moved"));
+  const auto without = opened({"", {}, true});
+  ASSERT_TRUE(without) << without.error().text();
+  EXPECT_TRUE(without->stands_in);
+  Project saved_without;
+  describe(*without, saved_without);
+  EXPECT_EQ(saved_without.library, built.library->name());
+  EXPECT_EQ(saved_without.input, "take_02");
+  EXPECT_EQ(saved_without.manifest, without->project->project().manifest);
+  EXPECT_THAT(saved_without.data, SizeIs(5));
+  fs::rename(file("moved"), file("captures"));
+  const auto again = opened();
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_FALSE(again->stands_in);
+  EXPECT_EQ(library_fingerprint(*again->library), library_fingerprint(*built.library));
+  EXPECT_EQ(again->input.name, "take_02");
+  EXPECT_THAT(again->warnings, IsEmpty());
 }
 
 TEST_F(SessionMaterial, TheFileIsReadOnce) {

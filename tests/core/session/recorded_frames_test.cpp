@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/session/file/session_database.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "core/session/run/re_solver.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
@@ -55,6 +57,29 @@ TEST_F(RecordedFramesTest, HaveTheMeshOfTheLibraryTheyWereSolvedWith) {
   EXPECT_EQ(read.edge_weights, solved.edge_weights);
   EXPECT_EQ(read.edge_residuals_m, solved.edge_residuals_m);
   EXPECT_EQ(with->frame(20)->library, test::session_library());
+}
+
+/// The numbers of pairs say nothing in another library; the recorded takes and frames do.
+TEST_F(RecordedFramesTest, OfALibraryThatIsNotAtHandAreShownOnlyWithPairsOfTheSameTakes) {
+  record(1);
+  const auto frames = *RecordedFrames::open(path);
+  const FrameSnapshotPtr frame = frames->frame(20);
+  const FrameResult& solved = kept()[20]->result;
+  ASSERT_GE(solved.selected, 0);
+  EXPECT_EQ(frame->library, nullptr);
+  const auto other = std::make_shared<const MotionLibrary>(
+      *build_library("other", {test::swinging_take("another take", 60, 8)}, {}, {}));
+  EXPECT_EQ(selected_pair(*frame, other), -1);
+  EXPECT_TRUE(in_library(frame, other)->result.candidates.empty());
+  EXPECT_EQ(in_library(frame, other)->result.selected, -1);
+  EXPECT_EQ(in_library(frame, other)->result.result, solved.result) << "the poses that were recorded";
+  EXPECT_FALSE(has_pairs_of(*other, *frame)) << "and is not solved again with it";
+  const auto same = in_library(frame, test::session_library());
+  ASSERT_EQ(same->result.candidates.size(), solved.candidates.size());
+  for (std::size_t i = 0; i < solved.candidates.size(); ++i)
+    EXPECT_EQ(same->result.candidates[i].pair, solved.candidates[i].pair);
+  EXPECT_EQ(same->result.selected, solved.selected);
+  EXPECT_TRUE(has_pairs_of(*test::session_library(), *frame));
 }
 
 TEST_F(RecordedFramesTest, ALongRangeIsThinnedEvenly) {

@@ -147,6 +147,28 @@ TEST_F(SaveSession, AsAnotherOneIsACopyWithAllThatWasRecordedAndTheEditsOfItsTak
   EXPECT_THAT(takes_in(what.file), ElementsAre("one", "two")) << "the session itself is as it was";
 }
 
+/// The copy of a running recording is not one that was cut off.
+TEST_F(SaveSession, AsAnotherOneDuringATakeIsACompleteFile) {
+  SessionToSave what = to("copy.abrazo", 3);
+  what.file = folder.file("s.abrazo");
+  session.keeper->recorder = *Recorder::open(what.file, test::session_facts());
+  what.recorder = session.keeper->recorder;
+  what.recorder->begin_take("one");
+  session.run_until(0.5);
+  ASSERT_TRUE(save_session(what, {}));
+  const auto copy = SessionFile::open(what.to);
+  ASSERT_TRUE(copy) << copy.error().text();
+  EXPECT_THAT((*copy)->recovery(), testing::IsEmpty());
+  EXPECT_FALSE((*copy)->is_being_recorded());
+  ASSERT_EQ((*copy)->contents().takes.size(), 1U);
+  EXPECT_FALSE((*copy)->contents().takes[0].interrupted);
+  EXPECT_EQ((*copy)->contents().takes[0].end_s, (*copy)->contents().last_s);
+  session.run_until(0.7);
+  ASSERT_TRUE(what.recorder->finish());
+  EXPECT_GT((*SessionFile::open(what.file))->contents().frames, (*copy)->contents().frames)
+      << "the recording goes on in its own file";
+}
+
 TEST_F(SaveSession, OverAFileThatIsBeingRecordedIsRefused) {
   record("s.abrazo");
   const auto saved = save_session(to("s.abrazo", 4), {});

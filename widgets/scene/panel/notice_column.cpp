@@ -12,6 +12,10 @@ void NoticeColumn::add(QWidget* bar) {
   m_bars->addWidget(bar);
 }
 
+void NoticeColumn::addFirst(QWidget* bar) {
+  m_bars->insertWidget(0, bar);
+}
+
 void NoticeColumn::setRoom(const QRect& room) {
   m_room = room;
   fit();

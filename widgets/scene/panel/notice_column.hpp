@@ -14,6 +14,8 @@ class NoticeColumn : public QWidget {
   explicit NoticeColumn(QWidget* parent);
   /// Below those that were added before.
   void add(QWidget* bar);
+  /// Above all of them: their coming and going does not move it.
+  void addFirst(QWidget* bar);
   /// The bars begin at the top of this part of the parent and are as wide.
   void setRoom(const QRect& room);
 
