@@ -158,6 +158,7 @@ bool StreamDesk::receive() {
 
 void StreamDesk::disconnectStream() {
   if (!isConnected()) return;
+  emit aboutToDisconnect();
   m_calibration.cancel();
   m_soon.stop();
   m_sourceLookup.cancel();

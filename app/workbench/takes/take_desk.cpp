@@ -75,6 +75,19 @@ void TakeDesk::toggle() {
   emit cameToNothing();
 }
 
+void TakeDesk::endWithStream() {
+  if (m_sequence.phase == Phase::Idle || !m_window.session() || !m_window.session()->engine().receiver())
+    return;
+  const QString name = QString::fromStdString(m_sequence.name);
+  const bool has_begun = isRecording();
+  toggle();
+  if (!has_begun)
+    m_window.messages().showInformation("The countdown of " + name +
+                                        " was cancelled, because its stream was disconnected");
+  else if (!takes().empty() && takes().all().back().name == name.toStdString())
+    m_window.messages().showInformation(name + " ended, because its stream was disconnected");
+}
+
 void TakeDesk::again() {
   if (!m_window.session() || takes().empty()) return;
   if (m_sequence.stop()) endTake();
