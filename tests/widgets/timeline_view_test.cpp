@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/support/long_recording.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/timeline/quick_entry.hpp"
@@ -537,6 +538,29 @@ TEST_F(Timeline, TheUsersRoleHasALaneOfItsOwn) {
   view.resize(900, view.sizeHint().height());
   ASSERT_EQ(view.tracks().user_roles().size(), 2U);
   EXPECT_NEAR(view.tracks().user_roles()[1].from_s, 200.0 / 30, 1e-6);
+}
+
+/// Of which the timeline reads one frame in five.
+TEST(TimelineOfALongRecording, HasTheGapsThatItHadLive) {
+  const FrameSnapshotPtr like = synthetic_frame(0, 0);
+  FrameHistory history;
+  history.set_store(std::make_shared<test::LongRecording>(20'000, [&](std::uint64_t index) {
+    auto frame = std::make_shared<FrameSnapshot>(*like);
+    frame->time_s = static_cast<double>(index) / 100 + (index < 10'000 ? 0 : 8);  // nobody was tracked
+    frame->input_rate_hz = 100;
+    return frame;
+  }));
+  Playback playback;
+  playback.extend(history.span().first_s, history.span().last_s);
+  TimelineView view;
+  view.setLibrary(two_take_library());
+  for (int turns = 0; turns < 40; ++turns) view.refresh(history, playback);
+  const TimelineTracks& tracks = view.tracks();
+  for (const TimelineTracks::Lane* lane : {&tracks.sources(), &tracks.moves(), &tracks.leaders()}) {
+    EXPECT_NE(interval_at(*lane, 50), nullptr);
+    EXPECT_NE(interval_at(*lane, 150), nullptr);
+    EXPECT_EQ(interval_at(*lane, 104), nullptr);
+  }
 }
 
 }  // namespace
