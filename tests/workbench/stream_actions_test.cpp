@@ -210,7 +210,28 @@ TEST_F(StreamActions, ACalibrationOfSomeoneWhoDancesIsToldAsDoubtful) {
   press(Qt::Key_T, Qt::ControlModifier);
   EXPECT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
   EXPECT_TRUE(desk().calibration().is_doubtful()) << desk().calibration().words();
-  EXPECT_TRUE(window().messages().text().contains("stand still")) << window().messages().text().toStdString();
+  EXPECT_TRUE(QString::fromStdString(desk().calibration().words()).contains("stand still"));
+  const QString said = window().messages().text();
+  EXPECT_TRUE(said.startsWith("Calibrated, but doubtful: ")) << said.toStdString();
+  EXPECT_TRUE(said.endsWith("Ctrl+T calibrates again, Live > Forget the calibration undoes it"));
+  EXPECT_LT(said.size(), 220) << "the rest is in the panel; the scene should be seen";
+}
+
+TEST_F(StreamActions, ADoubtfulCalibrationIsCalledSoUntilItIsUndone) {
+  const StreamedPerformer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  press(Qt::Key_T, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
+  desk().poll();
+  const QString about = panel().cards().front()->toolTip();
+  EXPECT_TRUE(about.contains("calibrated, doubtful")) << about.toStdString();
+  EXPECT_TRUE(about.contains("stand still")) << "and why: " << about.toStdString();
+  action("Forget the calibration")->trigger();
+  EXPECT_FALSE(window().messages().openErrors().join(' ').contains("doubtful"))
+      << "what it was about is gone";
+  EXPECT_TRUE(until([] {
+    return !panel().cards().empty() && panel().cards().front()->toolTip().contains("not calibrated");
+  }));
 }
 
 TEST_F(StreamActions, CtrlTAgainCancelsTheCalibration) {

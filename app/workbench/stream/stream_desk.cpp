@@ -27,6 +27,7 @@ using widgets::StreamMark;
 
 constexpr int poll_ms = 250, calibration_ms = 50;
 constexpr int most_recent_streams = 8;
+constexpr const char* calibration_job = "calibration";
 
 /// Why nothing of use comes in.
 QString short_state(const StreamHealth& health) {
@@ -169,6 +170,7 @@ void StreamDesk::disconnectStream() {
   m_second.clear();
   m_panel.setParts({}, {});
   m_panel.showCalibration({}, false);
+  m_window.messages().withdrawErrorsOf(calibration_job);
   if (engine()) engine()->stop_receiving();
   poll();
   emit connectionChanged();
@@ -284,14 +286,21 @@ void StreamDesk::advanceCalibration() {
     return;
   }
   m_soon.stop();
-  const bool is_good = m_calibration.stage() == CalibrationSteps::Stage::Done && !m_calibration.is_doubtful();
-  is_good ? m_window.messages().showInformation(said) : m_window.messages().showError(said);
+  const QString brief = QString::fromStdString(m_calibration.brief());
+  if (m_calibration.stage() != CalibrationSteps::Stage::Done)
+    m_window.messages().showError(brief);
+  else if (m_calibration.is_doubtful())  // the panel has all of it, the scene should be seen
+    m_window.messages().showErrorOf(
+        calibration_job, brief + ". Ctrl+T calibrates again, Live > Forget the calibration undoes it");
+  else
+    m_window.messages().succeed(calibration_job, brief);
   poll();
 }
 
 void StreamDesk::forgetCalibration() {
   if (!isConnected() || !engine()) return;
   m_calibration.cancel();
+  m_window.messages().withdrawErrorsOf(calibration_job);
   engine()->stop_receiving();
   if (receive()) m_panel.showCalibration("Reset; the rest pose is the sender's again", false);
 }
