@@ -377,11 +377,12 @@ TEST(TransportBar, TellsTheStateInWords) {
   Playback playback;
   playback.extend(0, 35);
   bar.showPlayback(playback, 10);
-  EXPECT_TRUE(bar.stateText().contains("LIVE"));
-  bar.showInputComes(false);
-  EXPECT_TRUE(bar.stateText().contains("NO INPUT")) << "a stalled stream is not live";
-  bar.showInputComes(true);
-  EXPECT_TRUE(bar.stateText().contains("LIVE"));
+  bar.showUserInput(UserInput::Stream);
+  EXPECT_EQ(bar.stateText(), "● LIVE");
+  bar.showUserInput(UserInput::None);
+  EXPECT_EQ(bar.stateText(), "○ NO INPUT") << "a stalled stream is not live";
+  bar.showUserInput(UserInput::Clip);
+  EXPECT_EQ(bar.stateText(), "▶ CLIP") << "nor is a clip";
   playback.seek(11.5);
   bar.showPlayback(playback, 10);
   EXPECT_EQ(bar.stateText(), QString("PARKED −23.5 s"));
@@ -396,17 +397,24 @@ TEST(TransportBar, SaysToAParkedCursorThatTheLiveEndGoesOn) {
   ASSERT_TRUE(live);
   Playback playback;
   playback.extend(0, 35);
+  bar.showUserInput(UserInput::Clip);
   bar.showPlayback(playback, 10);
-  EXPECT_EQ(live->text(), "LIVE  End");
+  EXPECT_EQ(live->text(), "CLIP  End");
   playback.seek(11.5);
   bar.showPlayback(playback, 10);
-  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_EQ(live->text(), "CLIP goes on  End");
+  EXPECT_FALSE(live->styleSheet().contains(dark().live.name())) << "nobody performs";
   EXPECT_TRUE(live->toolTip().contains("Hold the input still (Ctrl+Space)")) << "and how to hold it";
   bar.showHeld(true);
   EXPECT_EQ(live->text(), "HELD  End");
   bar.showHeld(false);
-  bar.showInputComes(false);
-  EXPECT_EQ(live->text(), "LIVE  End") << "nothing comes in that could be answered";
+  bar.showUserInput(UserInput::Stream);
+  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_TRUE(live->styleSheet().contains(dark().live.name()));
+  EXPECT_FALSE(live->toolTip().contains("Ctrl+Space")) << "a stream cannot be held";
+  bar.showUserInput(UserInput::None);
+  EXPECT_EQ(live->text(), "NEWEST  End") << "nothing comes in that could be answered";
+  EXPECT_FALSE(live->styleSheet().contains(dark().live.name()));
 }
 
 /// "… · 60 Hz" was cut behind "60".

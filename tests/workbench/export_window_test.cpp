@@ -154,7 +154,7 @@ TEST_F(ExportWindow, NothingSpeaksOfTheUserOrOfTheLiveEndWhileATakeIsAnnotated) 
   auto& subjects = *window().findChild<AnnotationDesk*>();
   QPushButton* live = nullptr;
   for (auto* each : window().transport().findChildren<QPushButton*>())
-    if (each->text().startsWith("LIVE")) live = each;
+    if (each->text().startsWith("CLIP")) live = each;
   ASSERT_TRUE(live);
   EXPECT_TRUE(live->isVisible());
   EXPECT_EQ(window().transport().roleText(), QString("user leads ▾"));

@@ -20,6 +20,7 @@
 #include "widgets/stream/scene_notice.hpp"
 #include "widgets/stream/sink_list.hpp"
 #include "widgets/stream/stream_head.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app::stream_actions_test {
 namespace {
@@ -107,6 +108,17 @@ TEST_F(StreamActions, AfterDisconnectingTheClipGoesOn) {
   EXPECT_EQ(notice(), QString());
 }
 
+TEST_F(StreamActions, OnlyAPerformerIsCalledLive) {
+  {
+    const StreamedPerformer performer(clip(), listen());
+    ASSERT_TRUE(receives());
+    EXPECT_TRUE(until([] { return window().transport().stateText() == "● LIVE"; }));
+  }
+  action("Disconnect")->trigger();
+  EXPECT_EQ(window().transport().stateText(), "▶ CLIP");
+  EXPECT_EQ(window().status().words().front(), "clip " + QString::fromStdString(clip().name));
+}
+
 TEST_F(StreamActions, APortThatIsTakenIsToldWithWhatToDo) {
   const auto other =
       StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), window().session()->engine().clock()).value();
@@ -168,6 +180,19 @@ TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {
   ASSERT_TRUE(until([] { return !notice().isEmpty(); }));
   ticker().seek(0.5);
   EXPECT_TRUE(until([] { return notice().isEmpty(); }));
+}
+
+/// A performer cannot be held; what was named "Freeze the input" recorded on.
+TEST_F(StreamActions, OfAStreamOnlyTheViewIsFrozenAndTheEntrySaysSo) {
+  ASSERT_TRUE(action("Freeze the input"));
+  const StreamedPerformer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  EXPECT_FALSE(action("Freeze the input"));
+  EXPECT_TRUE(action("Park the view or follow; the stream goes on"));
+  EXPECT_FALSE(action("Hold the input still")->isEnabled());
+  action("Disconnect")->trigger();
+  EXPECT_TRUE(action("Freeze the input"));
+  EXPECT_TRUE(action("Hold the input still")->isEnabled());
 }
 
 TEST_F(StreamActions, FreezeParksTheViewWhileTheStreamGoesOn) {

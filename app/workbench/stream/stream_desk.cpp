@@ -24,6 +24,7 @@ using widgets::AddressForm;
 using widgets::ConnectionPanel;
 using widgets::SinkList;
 using widgets::StreamMark;
+using widgets::UserInput;
 
 constexpr int poll_ms = 250, calibration_ms = 50;
 constexpr int most_recent_streams = 8;
@@ -326,19 +327,22 @@ void StreamDesk::showInput() {
   const QString clip = QString::fromStdString(material.input.name);
   if (!m_health) {
     const char* kind = material.is_only_recorded() ? "recorded" : "clip";
-    nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
+    const QString named = QString("%1 %2").arg(kind, clip);
+    const auto from = material.is_only_recorded() ? UserInput::None : UserInput::Clip;
+    nameInput(QString("%1 · %2 Hz").arg(named).arg(material.input.fps, 0, 'f', 0));
     m_window.sceneTree().setInputName(kind);
-    m_window.transport().showInputComes(!material.is_only_recorded());
-    return m_window.status().showInput({clip, true, material.input.fps});
+    m_window.transport().showUserInput(from);
+    return m_window.status().showInput({named, from, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
   const QString name = streamName() + (comes ? QString() : " · " + short_state(*m_health));
   nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name,
             QString::fromStdString(widgets::headline_of(&*m_health).detail));
-  m_window.transport().showInputComes(comes);
+  const auto from = comes ? UserInput::Stream : UserInput::None;
+  m_window.transport().showUserInput(from);
   m_window.status().showInput(
-      {name, comes, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
+      {name, from, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
   m_window.sceneTree().setInputName("stream");
 }
 
