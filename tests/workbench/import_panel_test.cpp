@@ -436,6 +436,40 @@ TEST_F(ImportPanelTest, AJointMapThatDoesNotFitIsSaidAndTakenBack) {
   EXPECT_TRUE(import()->isEnabled());
 }
 
+TEST_F(ImportPanelTest, FeetThatAreOffTheFloorAreToldWithTheValueToEnter) {
+  desk().offer({written("walk_1.bvh", 1, false, 0)});
+  ASSERT_TRUE(shows());
+  const double toes_m = panel()->view().imported.report.floor_y_m;
+  type("Floor", QString::number(toes_m - 0.11));  // the toes 11 cm above it
+  ASSERT_TRUE(shows());
+  EXPECT_FALSE(panel()->view().floor_to_enter()) << "a person said it";
+  delete desk().panel();
+  desk().offer({written("walk_2.bvh", 1, false, 0.11 - toes_m)});
+  ASSERT_TRUE(shows());
+  ASSERT_TRUE(panel()->view().floor_to_enter());
+  EXPECT_NEAR(*panel()->view().floor_to_enter(), 0.07, 0.0011);
+  const QString enter = QString("enter %1 m").arg(*panel()->view().floor_to_enter(), 0, 'f', 3);
+  const auto says = [&enter] {
+    return std::ranges::any_of(panel()->findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text().contains(enter); });
+  };
+  EXPECT_TRUE(says());
+  type("Floor", QString::number(*panel()->view().floor_to_enter()));
+  ASSERT_TRUE(shows());
+  EXPECT_NEAR(body_of(panel()->view().imported.clip.poses).toe_rest_height, 0.04, 0.0011);
+  EXPECT_FALSE(says());
+}
+
+/// Names such as LeftUpLeg are those of several programs.
+TEST_F(ImportPanelTest, AMapIsSaidToBeOfNamesAndNotOfTheProgramThatWroteTheFile) {
+  desk().offer({written("walk_1.bvh", 1, false, 0)});
+  ASSERT_TRUE(shows());
+  const std::string map = panel()->view().imported.report.joint_map;
+  EXPECT_TRUE(std::ranges::any_of(panel()->findChildren<QLabel*>(), [&](const QLabel* label) {
+    return label->text().toStdString() == "25 of 25 joints found by names as in “" + map + "”";
+  })) << map;
+}
+
 TEST_F(ImportPanelTest, ThePictureStandsOnTheGroundAndLiesWhenTheAxisIsWrong) {
   desk().offer({written("walk_1.bvh", 1, true, 0)});
   ASSERT_TRUE(shows());

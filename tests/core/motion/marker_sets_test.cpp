@@ -211,6 +211,9 @@ TEST(MarkerSets, OfLaboratoriesAreFoundByTheirNames) {
     EXPECT_EQ(has_warning(clip->report.warnings, "inferred-joints"), !set.inferred.empty());
     if (!set.inferred.empty()) {
       EXPECT_EQ(the_warning(clip->report.warnings, "inferred-joints").detail, set.inferred);
+      EXPECT_EQ(clip->report.inferred_joints.size(), static_cast<std::size_t>(set.inferred[0] - '0'));
+    } else {
+      EXPECT_THAT(clip->report.inferred_joints, IsEmpty());
     }
     EXPECT_FALSE(has_warning(clip->report.warnings, "not-a-person"));
   }
