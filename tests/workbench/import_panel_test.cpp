@@ -619,7 +619,9 @@ TEST_F(MarkerDialogTest, MarkersWithoutArmsCannotBeUsedAndItSaysWhyAndWhatHelps)
   EXPECT_THAT(dialog.state().toStdString(), HasSubstr("The file cannot be used without"));
   EXPECT_THAT(dialog.state().toStdString(), HasSubstr("export the recording with markers there"));
   for (const auto* button : dialog.findChildren<QPushButton*>())
-    if (button->text() == "Use") EXPECT_FALSE(button->isEnabled());
+    if (button->text() == "Use") {
+      EXPECT_FALSE(button->isEnabled());
+    }
 }
 
 TEST_F(MarkerDialogTest, ARefusedPlaceMovesNothingAndIsForgottenInAnotherRow) {

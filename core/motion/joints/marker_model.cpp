@@ -308,7 +308,7 @@ std::vector<int> inferred_joints(const MarkerSet& set) {
   return inferred;
 }
 
-std::vector<std::string> names_of(const std::vector<int>& joint_list) {
+std::vector<std::string> names_of_inferred(const std::vector<int>& joint_list) {
   std::vector<std::string> names;
   for (const int joint : joint_list) names.emplace_back(joint_names[static_cast<std::size_t>(joint)]);
   return names;
@@ -359,7 +359,7 @@ Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotio
         {"inferred-joints", 0,
          std::to_string(joints.inferred_joints.size()) +
              " of the 25 joints have no marker and were inferred from those beside them: " +
-             some_of(names_of(joints.inferred_joints), 25)});
+             some_of(names_of_inferred(joints.inferred_joints), 25)});
   Sizes sizes = sizes_of(set, markers.frames, metres_per_unit);
   const HipCentres hips =
       hip_centres(set, markers.frames, metres_per_unit, sizes.pelvis_width, sizes.pelvis_depth);
