@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/opening/import_rules.hpp"
@@ -45,6 +46,14 @@ std::vector<std::string> ImportView::questions() const {
   for (const ImportWarning& warning : imported.report.warnings)
     if (warning.asks) all.push_back(warning.detail);
   return all;
+}
+
+std::optional<double> ImportView::floor_to_enter() const {
+  constexpr double standing_toes_m = 0.04, noticed_m = 0.03;
+  const ImportReport& report = imported.report;
+  if (!is_readable() || reading.floor_m || report.floor_shift_m != 0) return std::nullopt;
+  const double off_m = report.floor_y_m - standing_toes_m;
+  return std::abs(off_m) > noticed_m ? std::optional(std::round(off_m * 1000) / 1000) : std::nullopt;
 }
 
 ImportView ImportPreview::look(const MotionReading& reading, const Progress& progress) {

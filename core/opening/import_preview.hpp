@@ -24,6 +24,9 @@ struct ImportView {
   /// What a person should confirm: performer and animation if nobody chose one of several, and what the
   /// warnings ask. Empty: nothing.
   std::vector<std::string> questions() const;
+  /// The height of the floor with which the feet would stand on it [m], where they are more than 3 cm off it
+  /// in the file and nothing was said or moved; else none.
+  std::optional<double> floor_to_enter() const;
 };
 
 /// Reads a file with changing options. One thread at a time.

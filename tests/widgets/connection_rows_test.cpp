@@ -144,6 +144,16 @@ TEST(StreamWords, OnlyCountsThatShouldBeZeroAreOddWhenTheyAreNot) {
   for (const StreamFigure& figure : figures_of(performer)) EXPECT_EQ(figure.is_odd, figure.name == "lost");
 }
 
+TEST(StreamWords, ACalibrationInAnotherPoseIsDoubtful) {
+  PerformerHealth performer = ana();
+  performer.calibration_doubts = {"no pose came meanwhile"};
+  EXPECT_TRUE(body_line(performer).ends_with("not calibrated"));
+  performer.calibrated = true;
+  EXPECT_TRUE(body_line(performer).ends_with(" · calibrated, doubtful")) << body_line(performer);
+  performer.calibration_doubts.clear();
+  EXPECT_TRUE(body_line(performer).ends_with(" · calibrated")) << body_line(performer);
+}
+
 TEST(StreamWords, CountsAreGroupedAndBytesHaveThreeOrMoreFigures) {
   EXPECT_EQ(count_text(999), "999");
   EXPECT_EQ(count_text(1234567), "1\u202f234\u202f567");

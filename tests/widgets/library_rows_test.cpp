@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/long_recording.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/library/preview_scale.hpp"
 #include "widgets/library/take_coverage.hpp"
@@ -134,6 +135,36 @@ TEST(TakeCoverage, ReadsEachFrameOfAHistoryOnce) {
   history.append(std::make_shared<FrameSnapshot>(frame_with(3, 0, 0.1)));
   EXPECT_TRUE(coverage.append_new(history));
   EXPECT_EQ(coverage.user_frames(), 4);
+}
+
+/// One in ten of its frames is read.
+TEST(TakeCoverage, OfALongRecordingIsOfAllItsFrames) {
+  const auto library = two_take_library();
+  const PairsOfTakes pairs(*library);
+  FrameHistory history;
+  history.set_store(std::make_shared<test::LongRecording>(40'192, [&](std::uint64_t index) {
+    return std::make_shared<FrameSnapshot>(frame_with(index, pairs.pair_at(index < 10'048 ? 0 : 1, 0), 0.1));
+  }));
+  TakeCoverage coverage;
+  coverage.begin(library);
+  EXPECT_FALSE(coverage.is_estimated());
+  while (coverage.append_new(history)) {
+  }
+  EXPECT_EQ(coverage.user_frames(), 40'192);
+  EXPECT_EQ(coverage.frames_each(), 10);
+  EXPECT_TRUE(coverage.is_estimated());
+  EXPECT_NEAR(coverage.times_selected(0), 10'048, 10);
+  EXPECT_EQ(coverage.times_selected(0) + coverage.times_selected(1), 40'192);
+}
+
+TEST(TakeCoverage, CountsNoFrameForAHoleInTheNumbers) {
+  TakeCoverage coverage;
+  coverage.begin(two_take_library());
+  FrameHistory history;
+  for (const std::uint64_t index : {0, 1, 500})
+    history.append(std::make_shared<FrameSnapshot>(frame_with(index, 0, 0.1)));
+  coverage.append_new(history);
+  EXPECT_EQ(coverage.user_frames(), 3) << "between two takes nothing was recorded";
 }
 
 PreviewedClip standing_at(double x, double z, int frames, int start = 0) {

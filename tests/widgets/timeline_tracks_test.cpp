@@ -172,6 +172,22 @@ TEST(TimelineTracks, RowsThatWereLeftOutEndNoInterval) {
   EXPECT_DOUBLE_EQ(tracks.longest_gap_s(), 3);
 }
 
+TEST(TimelineTracks, EndAtAGapOfARecordingWhoseRowsAreThinned) {
+  TimelineTracks tracks;
+  for (const double time_s : {0.0, 0.1, 0.2, 5.2, 5.3, 5.4}) {
+    TrackRow row;
+    row.time_s = time_s;
+    row.take = 1;
+    row.left_out_s = 0.1;
+    tracks.append(row);
+  }
+  for (const TimelineTracks::Lane* lane : {&tracks.sources(), &tracks.moves(), &tracks.leaders()}) {
+    ASSERT_EQ(lane->size(), 2U);
+    EXPECT_EQ(lane->front().to_s, 0.2);
+    EXPECT_EQ(lane->back().from_s, 5.2);
+  }
+}
+
 TEST(TimelineTracks, KnowWhichMethodACostIsOf) {
   TimelineTracks tracks;
   for (int i = 0; i < 6; ++i) {

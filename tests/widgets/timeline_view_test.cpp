@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/support/long_recording.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/timeline/quick_entry.hpp"
@@ -376,11 +377,12 @@ TEST(TransportBar, TellsTheStateInWords) {
   Playback playback;
   playback.extend(0, 35);
   bar.showPlayback(playback, 10);
-  EXPECT_TRUE(bar.stateText().contains("LIVE"));
-  bar.showInputComes(false);
-  EXPECT_TRUE(bar.stateText().contains("NO INPUT")) << "a stalled stream is not live";
-  bar.showInputComes(true);
-  EXPECT_TRUE(bar.stateText().contains("LIVE"));
+  bar.showUserInput(UserInput::Stream);
+  EXPECT_EQ(bar.stateText(), "● LIVE");
+  bar.showUserInput(UserInput::None);
+  EXPECT_EQ(bar.stateText(), "○ NO INPUT") << "a stalled stream is not live";
+  bar.showUserInput(UserInput::Clip);
+  EXPECT_EQ(bar.stateText(), "▶ CLIP") << "nor is a clip";
   playback.seek(11.5);
   bar.showPlayback(playback, 10);
   EXPECT_EQ(bar.stateText(), QString("PARKED −23.5 s"));
@@ -395,17 +397,24 @@ TEST(TransportBar, SaysToAParkedCursorThatTheLiveEndGoesOn) {
   ASSERT_TRUE(live);
   Playback playback;
   playback.extend(0, 35);
+  bar.showUserInput(UserInput::Clip);
   bar.showPlayback(playback, 10);
-  EXPECT_EQ(live->text(), "LIVE  End");
+  EXPECT_EQ(live->text(), "CLIP  End");
   playback.seek(11.5);
   bar.showPlayback(playback, 10);
-  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_EQ(live->text(), "CLIP goes on  End");
+  EXPECT_FALSE(live->styleSheet().contains(dark().live.name())) << "nobody performs";
   EXPECT_TRUE(live->toolTip().contains("Hold the input still (Ctrl+Space)")) << "and how to hold it";
   bar.showHeld(true);
   EXPECT_EQ(live->text(), "HELD  End");
   bar.showHeld(false);
-  bar.showInputComes(false);
-  EXPECT_EQ(live->text(), "LIVE  End") << "nothing comes in that could be answered";
+  bar.showUserInput(UserInput::Stream);
+  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_TRUE(live->styleSheet().contains(dark().live.name()));
+  EXPECT_FALSE(live->toolTip().contains("Ctrl+Space")) << "a stream cannot be held";
+  bar.showUserInput(UserInput::None);
+  EXPECT_EQ(live->text(), "NEWEST  End") << "nothing comes in that could be answered";
+  EXPECT_FALSE(live->styleSheet().contains(dark().live.name()));
 }
 
 /// "… · 60 Hz" was cut behind "60".
@@ -537,6 +546,29 @@ TEST_F(Timeline, TheUsersRoleHasALaneOfItsOwn) {
   view.resize(900, view.sizeHint().height());
   ASSERT_EQ(view.tracks().user_roles().size(), 2U);
   EXPECT_NEAR(view.tracks().user_roles()[1].from_s, 200.0 / 30, 1e-6);
+}
+
+/// Of which the timeline reads one frame in five.
+TEST(TimelineOfALongRecording, HasTheGapsThatItHadLive) {
+  const FrameSnapshotPtr like = synthetic_frame(0, 0);
+  FrameHistory history;
+  history.set_store(std::make_shared<test::LongRecording>(20'000, [&](std::uint64_t index) {
+    auto frame = std::make_shared<FrameSnapshot>(*like);
+    frame->time_s = static_cast<double>(index) / 100 + (index < 10'000 ? 0 : 8);  // nobody was tracked
+    frame->input_rate_hz = 100;
+    return frame;
+  }));
+  Playback playback;
+  playback.extend(history.span().first_s, history.span().last_s);
+  TimelineView view;
+  view.setLibrary(two_take_library());
+  for (int turns = 0; turns < 40; ++turns) view.refresh(history, playback);
+  const TimelineTracks& tracks = view.tracks();
+  for (const TimelineTracks::Lane* lane : {&tracks.sources(), &tracks.moves(), &tracks.leaders()}) {
+    EXPECT_NE(interval_at(*lane, 50), nullptr);
+    EXPECT_NE(interval_at(*lane, 150), nullptr);
+    EXPECT_EQ(interval_at(*lane, 104), nullptr);
+  }
 }
 
 }  // namespace

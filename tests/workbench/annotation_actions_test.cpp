@@ -426,6 +426,28 @@ TEST_F(Annotating, TheLibraryOfTheRunningSessionFollows) {
   EXPECT_TRUE(library().takes().front().labels.empty());
 }
 
+TEST_F(Annotating, NoEditOfALabelMakesAFrameOfTheHeldSession) {
+  SessionEngine& engine = window().session()->engine();
+  const auto library_follows = [] { return until([] { return desk().feed().isIdle(); }); };
+  ASSERT_TRUE(library_follows());
+  ASSERT_TRUE(until([&] { return engine.is_held(); }));
+  ASSERT_TRUE(ticker().playback().state == Playback::State::Parked);
+  const double last_s = engine.history().span().last_s;
+  drag(3, 5);
+  choose(Qt::Key_1);
+  ASSERT_TRUE(library_follows());
+  turn();
+  press(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(library_follows());
+  turn();
+  const double released_s = engine.clock().now_s();
+  desk().showSubject("");
+  ASSERT_TRUE(until([&] { return engine.history().span().last_s > last_s; }));
+  const FrameSnapshotPtr next = engine.history().stepped(last_s, 1);
+  EXPECT_GE(next->time_s, released_s) << "the first of after the hold";
+  EXPECT_EQ(next->library, window().session()->material().library);
+}
+
 TEST_F(Annotating, UndoReachesIntoASubjectThatIsNotShown) {
   add(3, 5, "one");
   desk().showSubject("");

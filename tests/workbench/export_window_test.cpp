@@ -154,7 +154,7 @@ TEST_F(ExportWindow, NothingSpeaksOfTheUserOrOfTheLiveEndWhileATakeIsAnnotated) 
   auto& subjects = *window().findChild<AnnotationDesk*>();
   QPushButton* live = nullptr;
   for (auto* each : window().transport().findChildren<QPushButton*>())
-    if (each->text().startsWith("LIVE")) live = each;
+    if (each->text().startsWith("CLIP")) live = each;
   ASSERT_TRUE(live);
   EXPECT_TRUE(live->isVisible());
   EXPECT_EQ(window().transport().roleText(), QString("user leads ▾"));
@@ -296,6 +296,25 @@ TEST_F(ExportWindow, EveryOtherContentIsWritten) {
     EXPECT_TRUE(QFileInfo::exists(file(QString("content%1%2").arg(what).arg(ending))))
         << ending << ": " << window().messages().text().toStdString();
   }
+}
+
+/// The session goes on while the dialog is open; what it says is what is written.
+TEST_F(ExportWindow, AllOfALiveSessionIsWhatTheDialogSaid) {
+  const FrameHistory& history = window().session()->engine().history();
+  const Playback::Range said = desk().offer().session->range;
+  dialog().offer(desk().offer());
+  choose("What", 3);
+  choose("As", ".jsonl");
+  const QString stated = box("Part").currentText(), frames = estimate();
+  ASSERT_TRUE(until([&] { return history.span().last_s > said.to_s + 1; }));
+  EXPECT_EQ(box("Part").currentText(), stated);
+  write("so_far.jsonl");
+  const auto part = dialog().request().wish.part;
+  const std::string lines = content("so_far.jsonl");
+  const auto written = std::ranges::count(lines, '\n') - 1;  // the first line is the header
+  EXPECT_EQ(written, static_cast<std::ptrdiff_t>(history.range(*part.from_s, *part.to_s).size()));
+  EXPECT_LT(*part.to_s, history.span().last_s - 0.5);
+  EXPECT_NEAR(static_cast<double>(written), QLocale().toDouble(frames.section(' ', 0, 0)), 2);
 }
 
 TEST_F(ExportWindow, ATakeOfTheLibraryIsWritten) {

@@ -103,7 +103,7 @@ TEST_F(HistoryInTheWindow, AHeldClipRecordsNothingAndSaysSo) {
   EXPECT_TRUE(until([] { return window().status().words().contains("in held"); }));
   press(Qt::Key_Space, Qt::ControlModifier);
   EXPECT_TRUE(until([&] { return engine().history().span().frames > after.frames + 5; }));
-  EXPECT_TRUE(until([] { return window().transport().stateText() == "● LIVE"; }));
+  EXPECT_TRUE(until([] { return window().transport().stateText() == "▶ CLIP"; }));
 }
 
 TEST_F(HistoryInTheWindow, WhileATakeIsAnnotatedTheSessionRecordsNothing) {

@@ -1,6 +1,7 @@
 // The panel that asks how a motion file is read, driven as a person does.
 #include <gmock/gmock.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
@@ -8,9 +9,11 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -438,6 +441,40 @@ TEST_F(ImportPanelTest, AJointMapThatDoesNotFitIsSaidAndTakenBack) {
   EXPECT_TRUE(import()->isEnabled());
 }
 
+TEST_F(ImportPanelTest, FeetThatAreOffTheFloorAreToldWithTheValueToEnter) {
+  desk().offer({written("walk_1.bvh", 1, false, 0)});
+  ASSERT_TRUE(shows());
+  const double toes_m = panel()->view().imported.report.floor_y_m;
+  type("Floor", QString::number(toes_m - 0.11));  // the toes 11 cm above it
+  ASSERT_TRUE(shows());
+  EXPECT_FALSE(panel()->view().floor_to_enter()) << "a person said it";
+  delete desk().panel();
+  desk().offer({written("walk_2.bvh", 1, false, 0.11 - toes_m)});
+  ASSERT_TRUE(shows());
+  ASSERT_TRUE(panel()->view().floor_to_enter());
+  EXPECT_NEAR(*panel()->view().floor_to_enter(), 0.07, 0.0011);
+  const QString enter = QString("enter %1 m").arg(*panel()->view().floor_to_enter(), 0, 'f', 3);
+  const auto says = [&enter] {
+    return std::ranges::any_of(panel()->findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text().contains(enter); });
+  };
+  EXPECT_TRUE(says());
+  type("Floor", QString::number(*panel()->view().floor_to_enter()));
+  ASSERT_TRUE(shows());
+  EXPECT_NEAR(body_of(panel()->view().imported.clip.poses).toe_rest_height, 0.04, 0.0011);
+  EXPECT_FALSE(says());
+}
+
+/// Names such as LeftUpLeg are those of several programs.
+TEST_F(ImportPanelTest, AMapIsSaidToBeOfNamesAndNotOfTheProgramThatWroteTheFile) {
+  desk().offer({written("walk_1.bvh", 1, false, 0)});
+  ASSERT_TRUE(shows());
+  const std::string map = panel()->view().imported.report.joint_map;
+  EXPECT_TRUE(std::ranges::any_of(panel()->findChildren<QLabel*>(), [&](const QLabel* label) {
+    return label->text().toStdString() == "25 of 25 joints found by names as in “" + map + "”";
+  })) << map;
+}
+
 TEST_F(ImportPanelTest, ThePictureStandsOnTheGroundAndLiesWhenTheAxisIsWrong) {
   desk().offer({written("walk_1.bvh", 1, true, 0)});
   ASSERT_TRUE(shows());
@@ -569,6 +606,61 @@ TEST_F(MarkerDialogTest, ASavedModelIsReadAgainAndABrokenOneSaysWhy) {
   dialog.loadFrom(file);
   EXPECT_THAT(dialog.state().toStdString(), HasSubstr("no place 'left tail'"));
   EXPECT_EQ(dialog.markers().naming().model("").names, names) << "nothing changed";
+}
+
+/// Everything is accepted, and no marker is on an arm: no edit that is left makes a body of them.
+TEST_F(MarkerDialogTest, MarkersWithoutArmsCannotBeUsedAndItSaysWhyAndWhatHelps) {
+  MarkerTable& markers = dialog.markers();
+  for (int point = 0; point < markers.rowCount(); ++point) {
+    markers.accept(point);
+    const QString place = markers.item(point, MarkerTable::Place)->text();
+    for (const char* part : {"shoulder", "arm", "elbow", "wrist", "hand"})
+      if (place.contains(part)) markers.item(point, MarkerTable::Place)->setText("");
+  }
+  EXPECT_THAT(dialog.state().toStdString(), HasSubstr("elbows, wrists and hands are"));
+  EXPECT_THAT(dialog.state().toStdString(), HasSubstr("The file cannot be used without"));
+  EXPECT_THAT(dialog.state().toStdString(), HasSubstr("export the recording with markers there"));
+  for (const auto* button : dialog.findChildren<QPushButton*>())
+    if (button->text() == "Use") {
+      EXPECT_FALSE(button->isEnabled());
+    }
+}
+
+TEST_F(MarkerDialogTest, ARefusedPlaceMovesNothingAndIsForgottenInAnotherRow) {
+  const auto* said = dialog.findChild<QLabel*>("state");
+  ASSERT_TRUE(said);
+  const QRect before = said->geometry();
+  dialog.markers().setCurrentCell(0, MarkerTable::Place);
+  dialog.markers().item(0, MarkerTable::Place)->setText("left tail");
+  EXPECT_THAT(dialog.state().toStdString(), HasSubstr("no place 'left tail'"));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(said->geometry(), before);
+  EXPECT_LT(said->text().size(), dialog.state().size()) << "all places are in the tooltip";
+  dialog.markers().setCurrentCell(1, MarkerTable::Place);
+  EXPECT_THAT(dialog.state().toStdString(), Not(HasSubstr("left tail")));
+}
+
+TEST_F(MarkerDialogTest, EscapeAsksBeforeItDropsWhatWasAccepted) {
+  const auto escape = [this](QMessageBox::StandardButton answer) {
+    bool asked = false;
+    QTimer person;
+    QObject::connect(&person, &QTimer::timeout, &person, [&] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!question) return;
+      asked = true;
+      question->button(answer)->click();
+    });
+    person.start(20);
+    QKeyEvent key(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+    QCoreApplication::sendEvent(&dialog, &key);
+    return asked;
+  };
+  dialog.markers().accept(first(MarkerNaming::By::Proposal));
+  EXPECT_TRUE(escape(QMessageBox::No));
+  EXPECT_TRUE(dialog.isVisible());
+  dialog.saveTo(folder.filePath("kept.json"));
+  EXPECT_FALSE(escape(QMessageBox::No)) << "nothing is lost";
+  EXPECT_FALSE(dialog.isVisible());
 }
 
 }  // namespace

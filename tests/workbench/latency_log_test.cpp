@@ -4,13 +4,15 @@
 
 #include <cmath>
 
+#include "tests/support/long_recording.hpp"
+
 namespace abrazo::app::latency_log_test {
 namespace {
 
 using widgets::LatencyStage;
 
 /// Frames at 100 Hz, each solved 1 ms after it came, frame i so many tenths of a millisecond longer.
-FrameSnapshotPtr frame(std::uint64_t index) {
+std::shared_ptr<FrameSnapshot> frame(std::uint64_t index) {
   auto made = std::make_shared<FrameSnapshot>();
   made->index = index;
   made->time_s = 0.01 * static_cast<double>(index);
@@ -58,6 +60,29 @@ TEST_F(LatencyLogTest, ReadsOlderFramesFromTheHistory) {
   EXPECT_NEAR(samples[1].interval, 10, 1e-9);
   EXPECT_NEAR(log.of(history, *frame(3)).interval, 10, 1e-9);
   EXPECT_TRUE(std::isnan(log.of(history, *frame(0)).interval));
+}
+
+/// It is followed by one frame in ten; the time between those is no interval of the input.
+TEST(LatencyOfALongRecording, IsThatOfEveryFrame) {
+  FrameHistory history;
+  history.set_store(std::make_shared<test::LongRecording>(40'000, frame));
+  LatencyLog log;
+  for (int turns = 0; turns < 40; ++turns) log.follow(history);
+  for (const double to_s : {100.0, 100.5, 300.0}) {
+    const auto samples = log.range(history, to_s - 5, to_s);
+    ASSERT_NEAR(static_cast<double>(samples.size()), 500, 1) << to_s;
+    for (std::size_t i = 1; i < samples.size(); ++i) EXPECT_NEAR(samples[i].interval, 10, 1e-6) << i;
+  }
+  EXPECT_NEAR(log.of(history, *frame(1000)).interval, 10, 1e-6);
+}
+
+TEST(LatencyOfALongRecording, HasThePicturesOfItsFrames) {
+  FrameHistory history;
+  history.set_store(std::make_shared<test::LongRecording>(40'000, frame));
+  LatencyLog log;
+  log.follow(history);  // the first frame is among those that are read
+  log.drawn(0, 12, 30);
+  EXPECT_EQ(log.range(history, 0, 1).front().stage(LatencyStage::Render), 12);
 }
 
 TEST_F(LatencyLogTest, IsBounded) {

@@ -111,6 +111,17 @@ TEST_F(StreamActions, AfterDisconnectingTheClipGoesOn) {
   EXPECT_EQ(notice(), QString());
 }
 
+TEST_F(StreamActions, OnlyAPerformerIsCalledLive) {
+  {
+    const StreamedPerformer performer(clip(), listen());
+    ASSERT_TRUE(receives());
+    EXPECT_TRUE(until([] { return window().transport().stateText() == "● LIVE"; }));
+  }
+  action("Disconnect")->trigger();
+  EXPECT_EQ(window().transport().stateText(), "▶ CLIP");
+  EXPECT_EQ(window().status().words().front(), "clip " + QString::fromStdString(clip().name));
+}
+
 TEST_F(StreamActions, APortThatIsTakenIsToldWithWhatToDo) {
   const auto other =
       StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), window().session()->engine().clock()).value();
@@ -174,6 +185,19 @@ TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {
   EXPECT_TRUE(until([] { return notice().isEmpty(); }));
 }
 
+/// A performer cannot be held; what was named "Freeze the input" recorded on.
+TEST_F(StreamActions, OfAStreamOnlyTheViewIsFrozenAndTheEntrySaysSo) {
+  ASSERT_TRUE(action("Freeze the input"));
+  const StreamedPerformer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  EXPECT_FALSE(action("Freeze the input"));
+  EXPECT_TRUE(action("Park the view or follow; the stream goes on"));
+  EXPECT_FALSE(action("Hold the input still")->isEnabled());
+  action("Disconnect")->trigger();
+  EXPECT_TRUE(action("Freeze the input"));
+  EXPECT_TRUE(action("Hold the input still")->isEnabled());
+}
+
 TEST_F(StreamActions, FreezeParksTheViewWhileTheStreamGoesOn) {
   const StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
@@ -214,7 +238,28 @@ TEST_F(StreamActions, ACalibrationOfSomeoneWhoDancesIsToldAsDoubtful) {
   press(Qt::Key_T, Qt::ControlModifier);
   EXPECT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
   EXPECT_TRUE(desk().calibration().is_doubtful()) << desk().calibration().words();
-  EXPECT_TRUE(window().messages().text().contains("stand still")) << window().messages().text().toStdString();
+  EXPECT_TRUE(QString::fromStdString(desk().calibration().words()).contains("stand still"));
+  const QString said = window().messages().text();
+  EXPECT_TRUE(said.startsWith("Calibrated, but doubtful: ")) << said.toStdString();
+  EXPECT_TRUE(said.endsWith("Ctrl+T calibrates again, Live > Forget the calibration undoes it"));
+  EXPECT_LT(said.size(), 220) << "the rest is in the panel; the scene should be seen";
+}
+
+TEST_F(StreamActions, ADoubtfulCalibrationIsCalledSoUntilItIsUndone) {
+  const StreamedPerformer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  press(Qt::Key_T, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
+  desk().poll();
+  const QString about = panel().cards().front()->toolTip();
+  EXPECT_TRUE(about.contains("calibrated, doubtful")) << about.toStdString();
+  EXPECT_TRUE(about.contains("stand still")) << "and why: " << about.toStdString();
+  action("Forget the calibration")->trigger();
+  EXPECT_FALSE(window().messages().openErrors().join(' ').contains("doubtful"))
+      << "what it was about is gone";
+  EXPECT_TRUE(until([] {
+    return !panel().cards().empty() && panel().cards().front()->toolTip().contains("not calibrated");
+  }));
 }
 
 TEST_F(StreamActions, CtrlTAgainCancelsTheCalibration) {

@@ -10,6 +10,8 @@
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "tests/workbench/streamed_performer.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/takes/countdown.hpp"
 #include "widgets/takes/take_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -110,6 +112,56 @@ TEST_F(TakeActions, AStreamIsOpenedWhenTheFileOfTheLastTakeIsFinished) {
   streams.disconnectStream();
   window().remembered().setKeepsEverything(kept);
   EXPECT_TRUE(until([&] { return !engine.recorder() && !desk().finishing(); }));
+}
+
+class TakeOfAStream : public TakeActions {
+ protected:
+  void SetUp() override {
+    TakeActions::SetUp();
+    streams().connectTo("vmc://127.0.0.1:0");
+    ASSERT_TRUE(until([] { return streams().health().has_value(); }));
+    m_performer =
+        std::make_unique<StreamedPerformer>(window().session()->material().input,
+                                            "vmc://" + QString::fromStdString(streams().health()->listening));
+    ASSERT_TRUE(until([] { return live().times.arrived_s >= 0; }));
+  }
+  void TearDown() override {
+    streams().disconnectStream();
+    m_performer.reset();
+    EXPECT_TRUE(until([] { return !window().session()->engine().recorder() && !desk().finishing(); }));
+  }
+  static StreamDesk& streams() { return *window().findChild<StreamDesk*>(); }
+  static const FrameSnapshot& live() { return *window().session()->engine().latest().newest(); }
+
+ private:
+  std::unique_ptr<StreamedPerformer> m_performer;
+};
+
+/// The clip that plays the user afterwards is not the performer.
+TEST_F(TakeOfAStream, DisconnectingEndsItAndSaysSo) {
+  press(Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(desk().isRecording());
+  ASSERT_TRUE(until([] { return last().frames >= 20; }));
+  action("Disconnect")->trigger();
+  EXPECT_FALSE(desk().isRecording());
+  EXPECT_EQ(window().messages().text(),
+            QString::fromStdString(last().name) + " ended, because its stream was disconnected");
+  ASSERT_TRUE(until([] { return live().input_frame >= 0; })) << "the clip goes on";
+  const auto frames = window().session()->history().range(last().from_s, last().to_s);
+  ASSERT_GE(frames.size(), 20U);
+  for (const FrameSnapshotPtr& frame : frames) EXPECT_EQ(frame->input_frame, -1) << "not of the clip";
+}
+
+TEST_F(TakeOfAStream, ItIsNotBegunWhenTheStreamEndsDuringItsCountdown) {
+  const std::size_t before = desk().takes().all().size();
+  panel().setCountdown(10);
+  press(Qt::Key_R, Qt::ControlModifier);
+  action("Disconnect")->trigger();
+  EXPECT_TRUE(window().messages().text().contains("countdown")) << window().messages().text().toStdString();
+  const auto* countdown = window().scene().findChild<widgets::Countdown*>();
+  EXPECT_TRUE(until([&] { return !countdown->isVisible(); }));
+  EXPECT_FALSE(desk().isRecording());
+  EXPECT_EQ(desk().takes().all().size(), before);
 }
 
 TEST_F(TakeActions, AgainCountsUpAndBeginsAtOnce) {

@@ -139,15 +139,15 @@ TEST_F(TimelineActions, CtrlLLoopsTheRange) {
 /// A person who parks the cursor may believe that the clip stops with it.
 TEST_F(TimelineActions, AParkedCursorIsToldThatTheClipPlaysOn) {
   const auto* live = window().transport().findChild<QPushButton*>();
-  EXPECT_EQ(live->text(), "LIVE goes on  End");
+  EXPECT_EQ(live->text(), "CLIP goes on  End");
   const double last_s = playback().last_s;
   EXPECT_TRUE(until([last_s] { return playback().last_s > last_s; })) << "as it says";
   action("Hold the input still")->trigger();
   EXPECT_TRUE(until([live] { return live->text() == "HELD  End"; }));
   action("Hold the input still")->trigger();
-  EXPECT_TRUE(until([live] { return live->text() == "LIVE goes on  End"; }));
+  EXPECT_TRUE(until([live] { return live->text() == "CLIP goes on  End"; }));
   press(Qt::Key_End);
-  EXPECT_TRUE(until([live] { return live->text() == "LIVE  End"; }));
+  EXPECT_TRUE(until([live] { return live->text() == "CLIP  End"; }));
 }
 
 /// The cursor sprang to and fro between the gap and the frame after it.

@@ -22,23 +22,27 @@ void TakeCoverage::begin(std::shared_ptr<const MotionLibrary> library) {
   distances_.assign(most_millimetres + 1, 0);
   user_frames_ = 0;
   next_index_ = 0;
+  read_ = all_ = 0;
   if (!library_) return;
   for (const LibraryTake& take : library_->takes()) {
     const int stride = std::max(1, take.frame_stride);
     takes_.push_back(
         {take.frames, stride, 0, 0,
-         std::vector<std::uint32_t>(static_cast<std::size_t>((take.frames + stride - 1) / stride))});
+         std::vector<std::uint64_t>(static_cast<std::size_t>((take.frames + stride - 1) / stride))});
   }
 }
 
-void TakeCoverage::append(const FrameSnapshot& frame) {
+void TakeCoverage::append(const FrameSnapshot& frame, std::uint64_t stands_for) {
+  ++read_;
+  all_ += stands_for;
   const FrameResult& result = frame.result;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : result.candidates)
     nearest = std::min(nearest, candidate.feature_distance);
   if (!result.candidates.empty() && library_) {
-    ++distances_[static_cast<std::size_t>(std::min(double{most_millimetres}, nearest * per_metre))];
-    ++user_frames_;
+    distances_[static_cast<std::size_t>(std::min(double{most_millimetres}, nearest * per_metre))] +=
+        stands_for;
+    user_frames_ += stands_for;
   }
   const int pair = selected_pair(frame, library_);
   if (!library_ || pair < 0 || pair >= library_->pair_count()) return;
@@ -46,14 +50,20 @@ void TakeCoverage::append(const FrameSnapshot& frame) {
   Take& take = takes_[source.take];
   const std::size_t kept = source.frame / static_cast<std::size_t>(take.stride);
   if (kept >= take.times.size()) return;
-  ++take.selected;
-  if (take.times[kept]++ == 0) ++take.selected_frames;
+  take.selected += static_cast<int>(stands_for);
+  if (take.times[kept] == 0) ++take.selected_frames;
+  take.times[kept] += stands_for;
 }
 
 bool TakeCoverage::append_new(const FrameHistory& history) {
   const auto frames = history.next_since(next_index_);
-  for (const FrameSnapshotPtr& frame : frames) append(*frame);
-  if (!frames.empty()) next_index_ = frames.back()->index + 1;
+  const std::uint64_t most = frames.empty() ? 1 : history.frames_each();
+  for (const FrameSnapshotPtr& frame : frames) {
+    // A number that is missing otherwise is of a frame that was not recorded, and no frame stands for it.
+    const std::uint64_t apart = read_ > 0 ? frame->index + 1 - next_index_ : 1;
+    append(*frame, std::min(apart, most));
+    next_index_ = frame->index + 1;
+  }
   return !frames.empty();
 }
 

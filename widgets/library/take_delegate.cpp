@@ -97,11 +97,12 @@ void TakeDelegate::paintGround(QPainter& painter, const QStyleOptionViewItem& op
 void TakeDelegate::paintWords(QPainter& painter, const QRect& row, int take) const {
   const TakeRow& about = m_model.row(take);
   const QRectF words(row.left() + words_left, row.top() + 4, row.width() - words_left - right_margin, 18);
-  const int times = m_model.coverage().times_selected(take);
+  const TakeCoverage& coverage = m_model.coverage();
+  const int times = coverage.times_selected(take);
   const QString state = m_model.isUsers(take)    ? QString("plays the user")
                         : m_model.isVetoed(take) ? QString("vetoed")
-                        : times > 0              ? QString::number(times) + " ×"
-                                                 : QString();
+                        : times > 0 ? (coverage.is_estimated() ? "≈ " : "") + QString::number(times) + " ×"
+                                    : QString();
   painter.setFont(interface_font(12));
   painter.setPen(m_model.isVetoed(take) ? m_palette.passive : m_palette.secondary);
   draw_tabular(painter, words, Qt::AlignRight, state);

@@ -156,6 +156,9 @@ QVariant TakeModel::data(const QModelIndex& index, int role) const {
           .arg(qRound(share * about.frames))
           .arg(100 * share, 0, 'f', 1)
           .arg(m_coverage.times_selected(about.take)) +
+      (m_coverage.is_estimated() ? QString("\nEstimated: of this long recording, 1 in %1 frames was read")
+                                       .arg(m_coverage.frames_each())
+                                 : QString()) +
       (belief.isEmpty() ? QString() : "\n" + belief));
 }
 

@@ -61,8 +61,11 @@ void PerformerCard::show(const PerformerHealth& performer, PerformerPart part) {
   const QString name = QString::fromStdString(performer.performer);
   setAccessibleName("Performer " + name);
   setAccessibleDescription(performer.tracked ? "tracked" : "tracking lost");
-  setToolTip(plain_tip(name + (performer.tracked ? ": tracked\n" : ": tracking lost\n") +
-                       QString::fromStdString(body_line(performer) + "\n" + estimated_line(performer))));
+  QString about = name + (performer.tracked ? ": tracked\n" : ": tracking lost\n") +
+                  QString::fromStdString(body_line(performer) + "\n" + estimated_line(performer));
+  for (const std::string& doubt : performer.calibration_doubts)
+    about += "\nThe T-pose is doubtful: " + QString::fromStdString(doubt);
+  setToolTip(plain_tip(about));
   m_user->setChecked(part == PerformerPart::User);
   m_user->setAccessibleName(name + " plays the user");
   m_second->setChecked(part == PerformerPart::Second);

@@ -118,7 +118,9 @@ std::vector<StreamFigure> figures_of(const PerformerHealth& performer) {
 std::string body_line(const PerformerHealth& performer) {
   std::string line = performer.joint_map.empty() ? "no joint map fits" : performer.joint_map + " map";
   if (performer.height_m > 0) line += " · head at " + fixed(performer.height_m, 2) + " m";
-  line += performer.calibrated ? " · calibrated" : " · not calibrated";
+  line += !performer.calibrated                  ? " · not calibrated"
+          : performer.calibration_doubts.empty() ? " · calibrated"
+                                                 : " · calibrated, doubtful";
   return performer.correction.empty() ? line : line + " · " + performer.correction;
 }
 

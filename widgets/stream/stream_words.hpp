@@ -35,7 +35,7 @@ struct StreamFigure {
 };
 /// Figures of a performer, two per line.
 std::vector<StreamFigure> figures_of(const PerformerHealth& performer);
-/// "unity map · head at 1.62 m · calibrated"
+/// "unity map · head at 1.62 m · calibrated"; a calibration in another pose is "doubtful" until the next.
 std::string body_line(const PerformerHealth& performer);
 /// "estimated: lowerneck, upperneck"; empty if all are sent.
 std::string estimated_line(const PerformerHealth& performer);

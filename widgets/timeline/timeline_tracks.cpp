@@ -11,6 +11,12 @@ using Lane = TimelineTracks::Lane;
 
 constexpr double gap_s = 0.5;  // of rows that are frame by frame
 
+/// Rows that are farther apart have a gap between them.
+double gap_beyond(double left_out_s) {
+  constexpr double uneven = 1.5;  // rows thinned evenly by index are not quite even in time
+  return std::max(gap_s, uneven * left_out_s);
+}
+
 /// The first interval that ends after a time.
 Lane::const_iterator ending_after(const Lane& lane, double time_s) {
   return std::upper_bound(lane.begin(), lane.end(), time_s,
@@ -20,13 +26,12 @@ Lane::const_iterator ending_after(const Lane& lane, double time_s) {
 }  // namespace
 
 double TimelineTracks::longest_gap_s() const {
-  constexpr double uneven = 1.5;  // rows thinned evenly by index are not quite even in time
-  return std::max(gap_s, uneven * left_out_s_);
+  return gap_beyond(left_out_s_);
 }
 
 void TimelineTracks::append(const TrackRow& row) {
   left_out_s_ = std::max(left_out_s_, row.left_out_s);
-  const double gap = longest_gap_s();
+  const double gap = gap_beyond(row.left_out_s);
   extend(sources_, row.time_s, gap, row.take, row.source_changed);
   extend(moves_, row.time_s, gap, label_key(row.label));
   extend(leaders_, row.time_s, gap, static_cast<int>(row.leader));

@@ -26,7 +26,7 @@ struct TrackRow {
   double cost = 0;             ///< of the selected pair [m^2], of `intent` [m]
   double energy = 0;           ///< sum of the terms [m^2]
   bool user_is_active = true;  ///< the role the user was given, whoever leads
-  double left_out_s = 0;       ///< to the previous row, if frames between them were left out
+  double left_out_s = 0;       ///< time that frames took which were left out before it
   bool is_by_intent = false;   ///< the cost
 };
 
@@ -69,7 +69,7 @@ class TimelineTracks {
   const SampleCurve& energies() const { return energies_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
 
-  /// Lanes and curves end at a gap longer than this.
+  /// Curves end at a gap longer than this; lanes at one that what was left out there does not explain.
   double longest_gap_s() const;
 
   /// The pair selected in the frame shown at a time; -1 = none.

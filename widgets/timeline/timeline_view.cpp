@@ -175,6 +175,7 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
 
 void TimelineView::take(const FrameSnapshot& frame) {
   const bool left_out = m_isBegun && frame.index > m_nextIndex;
+  const double apart = left_out ? static_cast<double>(frame.index + 1 - m_nextIndex) : 1;
   m_nextIndex = frame.index + 1;
   m_isBegun = true;
   const std::size_t changes = m_content.settings.changes().size();
@@ -183,7 +184,10 @@ void TimelineView::take(const FrameSnapshot& frame) {
   const bool has_elapsed = !left_out && frame.elapsed_s > 0;
   TrackRow row =
       row_of(frame, m_content.library, has_elapsed ? frame.elapsed_s : frame.time_s - m_previousTime);
-  if (left_out) row.left_out_s = frame.time_s - m_previousTime;
+  // The time that they took, not that of a gap among them.
+  const double since_s = frame.time_s - m_previousTime;
+  if (left_out)
+    row.left_out_s = frame.input_rate_hz > 0 ? std::min(since_s, apart / frame.input_rate_hz) : since_s;
   m_content.tracks.append(row);
   m_previousTime = frame.time_s;
 }

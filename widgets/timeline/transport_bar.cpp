@@ -216,14 +216,19 @@ void TransportBar::dress() {
   };
   m_speed->setStyleSheet(coloured(m_palette.secondary));
   m_loop->setStyleSheet(coloured(m_shown.loop ? m_palette.text : m_palette.secondary));
-  // Filled if the cursor can return to the live end; plain if it is there.
+  // Filled if the cursor can return to the live end; plain if it is there. Red is a live performer.
   const bool behind = m_shown.state != Playback::State::Following;
+  const bool is_live = m_userInput == UserInput::Stream;
   m_live->setStyleSheet(QString("QPushButton { background: %1; color: %2; border: 1px solid %3; "
                                 "border-radius: 6px; padding: 2px 10px; "
                                 "font-weight: 600; font-size: 12px; }")
-                            .arg(behind ? m_palette.live.name() : "transparent",
-                                 behind ? "#ffffff" : m_palette.secondary.name(),
-                                 behind ? m_palette.live.name() : m_palette.border.name()));
+                            .arg(!behind   ? "transparent"
+                                 : is_live ? m_palette.live.name()
+                                           : m_palette.raised.name(),
+                                 !behind   ? m_palette.secondary.name()
+                                 : is_live ? "#ffffff"
+                                           : m_palette.text.name(),
+                                 behind && is_live ? m_palette.live.name() : m_palette.border.name()));
 }
 
 void TransportBar::showOfTake(bool on) {
@@ -270,22 +275,33 @@ void TransportBar::showHeld(bool on) {
   showState();
 }
 
-void TransportBar::showInputComes(bool on) {
-  if (on == m_inputComes) return;
-  m_inputComes = on;
+void TransportBar::showUserInput(UserInput from) {
+  if (from == m_userInput) return;
+  m_userInput = from;
+  dress();
   showLive();
   showState();
 }
 
 /// Who looks at an earlier frame does not see that the input is still answered.
 void TransportBar::showLive() {
-  const bool goes_on = !m_isHeld && m_inputComes && m_shown.state != Playback::State::Following;
-  m_live->setText(m_isHeld ? "HELD  End" : goes_on ? "LIVE goes on  End" : "LIVE  End");
+  const bool comes = m_userInput != UserInput::None;
+  const bool goes_on = !m_isHeld && comes && m_shown.state != Playback::State::Following;
+  const QString what = m_isHeld                           ? "HELD"
+                       : m_userInput == UserInput::Stream ? "LIVE"
+                       : m_userInput == UserInput::Clip   ? "CLIP"
+                                                          : "NEWEST";
+  m_live->setText(what + (goes_on ? " goes on" : "") + "  End");
+  const QString how = m_userInput == UserInput::Clip
+                          ? "Solve > Hold the input still (Ctrl+Space) holds the clip"
+                          : "A stream cannot be held; Live > Disconnect ends it";
   m_live->setToolTip(
       m_isHeld  ? "To the live end (End). The input is held: nothing is recorded until it is released"
       : goes_on ? "To the live end (End). It goes on: the input is answered and recorded while you look at "
-                  "earlier frames. Solve > Hold the input still (Ctrl+Space) holds a clip"
-                : "Follow the live end (End)");
+                  "earlier frames. " +
+                      how
+      : comes ? "Follow the live end (End)"
+              : "To the newest frame (End). Nothing comes in");
   makeRoom();
 }
 
@@ -427,10 +443,14 @@ void TransportBar::showState() {
         m_state->setColour(m_palette.secondary);
         break;
       }
-      m_state->setText(m_isHeld ? "‖ HELD" : m_inputComes ? "● LIVE" : "○ NO INPUT");
-      m_state->setColour(m_isHeld || !m_inputComes ? m_palette.warning
-                         : m_palette.dark          ? m_palette.live.lighter(135)
-                                                   : m_palette.live);
+      m_state->setText(m_isHeld                           ? "‖ HELD"
+                       : m_userInput == UserInput::Stream ? "● LIVE"
+                       : m_userInput == UserInput::Clip   ? "▶ CLIP"
+                                                          : "○ NO INPUT");
+      m_state->setColour(m_isHeld || m_userInput == UserInput::None ? m_palette.warning
+                         : m_userInput == UserInput::Clip           ? m_palette.text
+                         : m_palette.dark                           ? m_palette.live.lighter(135)
+                                                                    : m_palette.live);
       break;
   }
 }

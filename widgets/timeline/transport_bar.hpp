@@ -5,6 +5,7 @@
 #include "core/session/frames/playback.hpp"
 #include "core/session/frames/time_place.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/common/user_input.hpp"
 
 class QActionGroup;
 class QLabel;
@@ -38,8 +39,8 @@ class TransportBar : public QWidget {
   void showRecording(const QString& words);
   /// Whether the input is held: the live end stays where it is.
   void showHeld(bool on);
-  /// Whether poses of the user arrive; if not, the partner holds its last pose at the live end.
-  void showInputComes(bool on);
+  /// What the poses of the user come from; from nowhere if none arrive, and the partner holds its last pose.
+  void showUserInput(UserInput from);
   /// The user's role. @param by role control: "by hand", "by the library"
   void showRole(bool user_is_active, const QString& by);
   /// @param live  the live partner is pinned  @param tried  a pin is tried on the parked frame only
@@ -102,7 +103,8 @@ class TransportBar : public QWidget {
   QLabel* m_recording;
   QToolButton* m_role;
   QToolButton *m_livePin, *m_triedPin;
-  bool m_userIsActive = true, m_isHeld = false, m_inputComes = true;
+  bool m_userIsActive = true, m_isHeld = false;
+  UserInput m_userInput = UserInput::None;
   bool m_isOfTake = false;
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;

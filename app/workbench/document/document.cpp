@@ -245,9 +245,10 @@ void Document::replaceSolver(PreparedSolver prepared) {
   tryPin({});  // pairs may have other numbers
   const auto before = m_session->material().library, after = prepared.material.library;
   m_session->replaceSolver(std::move(prepared));
-  const auto changed = m_live.replace_library(*before, *after);
+  const auto parts = m_live.replace_library(*before, *after);
   emit libraryReplaced(before, after);
-  announce(changed);
+  // The solver carries its decisions over itself: told again, it would solve a held pose again.
+  for (const ProjectPart part : parts) emit changed(part);
 }
 
 void Document::setSubject(const std::string& subject) {

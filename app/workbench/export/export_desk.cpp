@@ -62,7 +62,7 @@ ExportOffer ExportDesk::offer() const {
         material.recorded ? "Session " + session_name(*material.recorded) : QString("This session"),
         {span.first_s, span.last_s},
         span.last_s > span.first_s
-            ? static_cast<double>(span.frames + span.stored) / (span.last_s - span.first_s)
+            ? static_cast<double>(span.frames + span.stored - 1) / (span.last_s - span.first_s)
             : 0};
   if (!session->looksElsewhere()) {
     offer.range = playback.range();

@@ -275,6 +275,7 @@ Playback::Range ExportDialog::part() const {
   return stretch().range;
 }
 
+/// All of a session is what there was when it was offered: a live one goes on.
 ExportRequest ExportDialog::request() const {
   ExportRequest request;
   request.library_take = m_source->currentData().toString();
@@ -290,7 +291,7 @@ ExportRequest ExportDialog::request() const {
       if (box->isChecked()) wish.bodies.push_back(body);
   if (m_part->currentData().toString() == "frame")
     wish.at_s = m_offer.cursor_s;
-  else if (m_part->currentData().toString() != "all" || what() == Mesh)
+  else if (m_part->currentData().toString() != "all" || what() == Mesh || request.library_take.isEmpty())
     wish.part = {{}, part().from_s, part().to_s};
   wish.all_tiers = hasTiers() && m_tiers->currentData().toBool();
   if (hasRate()) wish.rate_hz = m_rate->value();

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTableWidget>
 #include <QToolButton>
@@ -47,6 +48,25 @@ QString unit_words(double metres) {
   for (const UnitEntry& unit : unit_entries)
     if (std::abs(unit.metres - metres) < 1e-12) return unit.name;
   return number(metres) + " m";
+}
+
+/// From markers, or by names: a map is named after a program whose names others use as well.
+QString joints_found_words(const ImportReport& report) {
+  const auto computed = static_cast<int>(report.inferred_joints.size());
+  const QString map = QString::fromStdString(report.joint_map);
+  const auto has_points = [](const std::string& points) { return !points.empty(); };
+  if (std::ranges::none_of(report.joint_points, has_points))
+    return QString("%1 of %2 joints from markers (“%3”), %4 computed from those beside them")
+        .arg(joint_count - computed)
+        .arg(joint_count)
+        .arg(map)
+        .arg(computed);
+  const auto& maps = builtin_joint_maps();
+  const bool is_builtin = std::ranges::find(maps, report.joint_map, &JointMap::name) != maps.end();
+  return QString("%1 of %2 joints found by %3“%4”")
+      .arg(joint_count - computed)
+      .arg(joint_count)
+      .arg(is_builtin ? "names as in " : "", map);
 }
 
 QLabel* small_label(QWidget* parent) {
@@ -214,14 +234,13 @@ QWidget* ImportPanel::makeSpaceColumn() {
   m_warnings->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_warnings->setAlignment(Qt::AlignTop);
   m_warnings->setContentsMargins(10, 8, 10, 8);
-  auto* scroll = new QScrollArea(side);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(m_warnings);
-  scroll->setMinimumHeight(72);
+  m_warningsArea = new QScrollArea(side);
+  m_warningsArea->setWidgetResizable(true);
+  m_warningsArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_warningsArea->setWidget(m_warnings);
   auto* frame = widgets::nested_column({12, 6, 12, 4});
-  frame->addWidget(scroll);
-  column->addLayout(frame, 2);
+  frame->addWidget(m_warningsArea);
+  column->addLayout(frame);
   return side;
 }
 
@@ -430,19 +449,13 @@ void ImportPanel::showJoints() {
     return std::count(report.inferred_joints.begin(), report.inferred_joints.end(), joint) > 0;
   };
   m_table->setVisible(m_view.is_readable());
-  m_found->setText(!m_view.is_readable()
-                       ? QString()
-                       : QString("%1 of %2 joints found by “%3”")
-                             .arg(joint_count - static_cast<int>(report.inferred_joints.size()))
-                             .arg(joint_count)
-                             .arg(QString::fromStdString(report.joint_map)));
+  m_found->setText(m_view.is_readable() ? joints_found_words(report) : QString());
   for (int joint = 0; joint < joint_count; ++joint) {
     const auto j = static_cast<std::size_t>(joint);
     const QString points = QString::fromStdString(report.joint_points[j]);
-    const QString cells[] = {QString::fromUtf8(joint_names[j].data()), is_inferred(joint)
-                                                                           ? "inferred: " + points
-                                                                       : points.isEmpty() ? "from the markers"
-                                                                                          : points};
+    const QString from = points.isEmpty() ? (is_inferred(joint) ? "computed" : "from the markers")
+                                          : (is_inferred(joint) ? "inferred: " : "") + points;
+    const QString cells[] = {QString::fromUtf8(joint_names[j].data()), from};
     for (const int column : {0, 1}) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(cells[column]);
@@ -470,6 +483,19 @@ void ImportPanel::showWarnings() {
   m_warnings->setText(lines.join("\n\n"));
   m_warnings->parentWidget()->parentWidget()->setVisible(!lines.isEmpty());
   m_warnings->setVisible(!lines.isEmpty());
+  fitWarnings();
+}
+
+/// As tall as its text, so that no line is cut; a longer one scrolls by whole lines.
+void ImportPanel::fitWarnings() {
+  constexpr int most_lines = 11;
+  const QMargins margins = m_warnings->contentsMargins();
+  const int around = margins.top() + margins.bottom() + 2 * m_warningsArea->frameWidth() + 2;
+  const int line = m_warnings->fontMetrics().lineSpacing();
+  const int whole =
+      m_warnings->heightForWidth(m_warningsArea->viewport()->width()) + 2 * m_warningsArea->frameWidth();
+  m_warningsArea->setFixedHeight(std::min(whole, most_lines * line + around));
+  m_warningsArea->verticalScrollBar()->setSingleStep(line);
 }
 
 void ImportPanel::showSpace() {
@@ -481,7 +507,12 @@ void ImportPanel::showSpace() {
   m_facts->setVisible(m_view.is_readable());
   if (!m_view.is_readable()) return;
   m_height->setText(QString("%1 m to the head joint").arg(report.height_m, 0, 'f', 2));
-  m_toes->setText(QString("the toes rest at %1 m in the file").arg(report.floor_y_m, 0, 'f', 3));
+  const std::optional<double> floor_m = m_view.floor_to_enter();
+  m_toes->setText(
+      QString("the toes rest at %1 m in the file").arg(report.floor_y_m, 0, 'f', 3) +
+      (floor_m ? QString("; enter %1 m if the feet should stand on the floor").arg(*floor_m, 0, 'f', 3)
+               : QString()));
+  m_toes->setStyleSheet(floor_m ? QString("color: %1").arg(m_palette.warning.name()) : QString());
   m_facts->setText(QString("%1 frames · %2 s · moves %3 m")
                        .arg(clip.poses.size())
                        .arg(static_cast<double>(clip.poses.size()) / clip.fps, 0, 'f', 1)

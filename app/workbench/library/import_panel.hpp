@@ -11,6 +11,7 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSlider;
 class QTableWidget;
 class QToolButton;
@@ -69,6 +70,7 @@ class ImportPanel : public QDialog {
   void showJoints();
   void showReason();
   void showWarnings();
+  void fitWarnings();
   void showSpace();
   void showFrame();
   void showTime();
@@ -80,6 +82,7 @@ class ImportPanel : public QDialog {
   QComboBox *m_performer = nullptr, *m_animation = nullptr, *m_order = nullptr;
   QComboBox *m_unit = nullptr, *m_up = nullptr, *m_rate = nullptr, *m_floor = nullptr, *m_joints = nullptr;
   QLabel* m_reason = nullptr;
+  QScrollArea* m_warningsArea = nullptr;
   QLabel *m_file = nullptr, *m_facts = nullptr, *m_height = nullptr, *m_toes = nullptr;
   QLabel *m_found = nullptr, *m_warnings = nullptr, *m_time = nullptr, *m_state = nullptr;
   QTableWidget* m_table = nullptr;

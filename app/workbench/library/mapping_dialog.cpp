@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QStyledItemDelegate>
@@ -25,6 +26,7 @@
 #include "core/opening/joint_maps.hpp"
 #include "widgets/common/file_dialog.hpp"
 #include "widgets/common/parts.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/library/motion_picture.hpp"
 
 namespace abrazo::app {
@@ -148,6 +150,7 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   row->addLayout(side, 4);
   column->addLayout(row, 1);
   column->addWidget(makeFacts());
+  column->addWidget(makeState());
   column->addWidget(makeFoot());
   connectParts();
   guessAgain();
@@ -189,6 +192,17 @@ QWidget* MappingDialog::makeFacts() {
   return box;
 }
 
+/// Two lines, so that nothing moves whatever is said.
+QWidget* MappingDialog::makeState() {
+  m_state = new QLabel(this);
+  m_state->setObjectName("state");
+  m_state->setWordWrap(true);
+  m_state->setTextFormat(Qt::PlainText);
+  m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  m_state->setFixedHeight(2 * m_state->fontMetrics().lineSpacing() + 4);
+  return m_state;
+}
+
 QWidget* MappingDialog::makeFoot() {
   auto* foot = new QWidget(this);
   auto* row = widgets::row_in(foot);
@@ -200,14 +214,12 @@ QWidget* MappingDialog::makeFoot() {
   m_from_motion->setToolTip(
       "Where each marker is on the body, from positions, symmetry and distances over time");
   auto* cancel = new QPushButton("Cancel", foot);
-  m_state = new QLabel(foot);
-  m_state->setWordWrap(true);
   m_use = new QPushButton("Use", foot);
   m_use->setDefault(true);
   m_use->setToolTip("Files with the same point names are then read this way without a question");
   for (QWidget* widget : std::initializer_list<QWidget*>{load, m_save, m_again, m_from_motion})
     row->addWidget(widget);
-  row->addWidget(m_state, 1);
+  row->addStretch(1);
   row->addWidget(cancel);
   row->addWidget(m_use);
   connect(load, &QPushButton::clicked, this, &MappingDialog::load);
@@ -232,7 +244,9 @@ void MappingDialog::connectParts() {
   });
   connect(m_markers, &QTableWidget::currentCellChanged, this, &MappingDialog::showFrame);
   connect(m_markers, &MarkerTable::changed, this, &MappingDialog::showFacts);
-  connect(m_markers, &MarkerTable::refused, m_state, &QLabel::setText);
+  connect(m_markers, &MarkerTable::refused, this, &MappingDialog::refuse);
+  for (QTableWidget* table : {m_table, static_cast<QTableWidget*>(m_markers)})
+    connect(table, &QTableWidget::currentCellChanged, this, &MappingDialog::leaveRefusal);
   connect(m_pages, &QTabWidget::currentChanged, this, &MappingDialog::showPage);
   connect(m_frame, &QSlider::valueChanged, this, &MappingDialog::showFrame);
   connect(m_up, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
@@ -251,6 +265,7 @@ void MappingDialog::guessAgain() {
   JointGuess guess = guess_joints(m_motion, at(m_frame->value()));
   for (const int joint : estimate_missing_joints(guess.map)) guess.by[at(joint)] = JointGuess::By::Others;
   m_map = std::move(guess.map);
+  m_given.clear();
   m_by = guess.by;
   changed();
   m_table->setCurrentCell(m_joint, Points);
@@ -273,7 +288,7 @@ void MappingDialog::guessFromMotion() {
   if (m_job) return;
   m_pages->setCurrentWidget(m_markers);
   m_from_motion->setEnabled(false);
-  m_state->setText("Guessing where the markers are…");
+  tell("Guessing where the markers are…");
   // A copy: the work may outlive the dialog.
   m_job = std::make_unique<Job>([this, motion = m_motion](const Progress&) -> Job::Finish {
     return [this, guess = guess_markers(motion)] { showGuess(guess); };
@@ -288,7 +303,7 @@ void MappingDialog::showGuess(const Result<MarkerGuess>& guess) {
   if (guess)
     m_markers->propose(*guess);
   else
-    m_state->setText(words(guess.error()));
+    tell(words(guess.error()));
 }
 
 void MappingDialog::showPage() {
@@ -330,9 +345,9 @@ void MappingDialog::setPoints(int joint, const QString& text) {
     m_filling = true;
     showRow(joint);
     m_filling = false;
-    m_state->setText(words(rule.error()));
-    return;
+    return refuse(words(rule.error()));
   }
+  m_given.insert(joint);
   auto& rules = m_map.rules[at(joint)];
   rules.clear();
   if (!rule->terms.empty()) rules.push_back(*rule);
@@ -342,6 +357,7 @@ void MappingDialog::setPoints(int joint, const QString& text) {
 }
 
 void MappingDialog::togglePoint(int point) {
+  m_given.insert(m_joint);
   const std::string& name = m_motion.points[at(point)];
   auto& rules = m_map.rules[at(m_joint)];
   // Explicit choices replace guesses.
@@ -442,10 +458,13 @@ void MappingDialog::showFacts() {
       namesMarkers() ? QString::fromStdString(m_markers->naming().counted()) + ". " : QString();
   m_use->setEnabled(missing.isEmpty());
   m_facts->clear();
+  if (!missing.isEmpty() && namesMarkers()) {
+    const MarkerModel named = model();
+    return tell(counted + QString::fromStdString(why_not_enough(fit_of(named, m_motion.points))));
+  }
   if (!missing.isEmpty())
-    return m_state->setText(
-        counted + QString("No points yet for %1").arg(missing.mid(0, 5).join(", ")) +
-        (missing.size() > 5 ? QString(" and %1 more").arg(missing.size() - 5) : QString()));
+    return tell(counted + QString("No points yet for %1").arg(missing.mid(0, 5).join(", ")) +
+                (missing.size() > 5 ? QString(" and %1 more").arg(missing.size() - 5) : QString()));
   NamedMotion few = without_frames(m_motion);
   constexpr std::size_t most_frames = 40;
   const std::size_t step = std::max<std::size_t>(1, m_motion.frames.size() / most_frames);
@@ -460,7 +479,7 @@ void MappingDialog::showFacts() {
   else
     options.joint_map = m_map;
   const auto clip = import_clip(few, options);
-  if (!clip) return m_state->setText(counted + words(clip.error()));
+  if (!clip) return tell(counted + words(clip.error()));
   const ImportReport& report = clip->report;
   const auto mark = [](bool guessed) { return guessed ? " ?" : ""; };
   m_facts->setText(QString("%1 up%2 · %3 m per unit%4 · %5 fps%6 · head at %7 m")
@@ -470,11 +489,44 @@ void MappingDialog::showFacts() {
                        .arg(report.fps, 0, 'g', 5)
                        .arg(mark(report.fps_guessed))
                        .arg(report.height_m, 0, 'f', 2));
-  m_state->setText(counted + (namesMarkers() ? "Enough for a body" : "Every joint has its points"));
+  tell(counted + (namesMarkers() ? "Enough for a body" : "Every joint has its points"));
 }
 
-QString MappingDialog::state() const {
-  return m_state->text();
+void MappingDialog::tell(const QString& text) {
+  constexpr int longest = 300;  // more would not fit into two lines
+  m_said = text;
+  m_isRefusal = false;
+  m_state->setText(text.size() <= longest ? text : text.left(longest) + " …");
+  m_state->setToolTip(widgets::plain_tip(text));
+}
+
+void MappingDialog::refuse(const QString& why) {
+  tell(why);
+  m_isRefusal = true;
+}
+
+/// Elsewhere, what was not taken is of no interest any more.
+void MappingDialog::leaveRefusal() {
+  if (m_isRefusal) showFacts();
+}
+
+/// Joints and places that the user gave and that are in no file.
+int MappingDialog::assigned() const {
+  const auto& rows = m_markers->naming().rows();
+  const auto said = std::ranges::count(rows, MarkerNaming::By::Person, &MarkerNaming::Row::by);
+  const bool is_saved = m_saved && m_saved->names == model().names;
+  return static_cast<int>(m_given.size()) + (is_saved ? 0 : static_cast<int>(said));
+}
+
+void MappingDialog::reject() {
+  const int lost = assigned();
+  const QString what =
+      lost == 1 ? "the assignment that you made" : QString("the %1 assignments that you made").arg(lost);
+  if (lost > 0 &&
+      QMessageBox::question(this, windowTitle(), "Leave without " + what + "?",
+                            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes)
+    return;
+  QDialog::reject();
 }
 
 void MappingDialog::save() {
@@ -489,7 +541,9 @@ void MappingDialog::saveTo(const QString& file) {
   const Status written = write_whole_file(
       file.toStdString(), namesMarkers() ? marker_model_json(model()) : joint_map_json(m_map));
   const QString what = namesMarkers() ? "Marker model" : "Joint map";
-  m_state->setText(written ? what + " written to " + file : words(written.error()));
+  if (written && namesMarkers()) m_saved = model();
+  if (written && !namesMarkers()) m_given.clear();
+  tell(written ? what + " written to " + file : words(written.error()));
 }
 
 void MappingDialog::load() {
@@ -501,13 +555,14 @@ void MappingDialog::load() {
 void MappingDialog::loadFrom(const QString& file) {
   ImportOptions read;
   const Status chosen = choose_joints(file.toStdString(), read);
-  if (!chosen) return m_state->setText(words(chosen.error()));
+  if (!chosen) return tell(words(chosen.error()));
   if (read.marker_model) {
-    if (const auto found = m_markers->read(*read.marker_model); !found)
-      return m_state->setText(words(found.error()));
+    if (const auto found = m_markers->read(*read.marker_model); !found) return tell(words(found.error()));
+    m_saved = model();
     return m_pages->setCurrentWidget(m_markers);
   }
   m_map = *read.joint_map;
+  m_given.clear();
   m_by.fill(JointGuess::By::Nothing);
   m_pages->setCurrentWidget(m_table);
   changed();

@@ -3,6 +3,8 @@
 #include <QDialog>
 #include <array>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,9 +48,12 @@ class MappingDialog : public QDialog {
   /// Whether the page of markers is shown and used instead of that of joints.
   bool namesMarkers() const;
   widgets::MotionPicture& preview() { return *m_preview; }
-  QString state() const;
+  /// What was said last, in full; the dialog shows two lines of it.
+  QString state() const { return m_said; }
 
  public slots:
+  /// Asks first if joints or places that the user gave would be lost.
+  void reject() override;
   /// "LASI" or "0.5 LASI + 0.5 RASI"; empty removes the joint's points. On an error it shows the reason and
   /// changes nothing.
   void setPoints(int joint, const QString& text);
@@ -63,6 +68,7 @@ class MappingDialog : public QDialog {
 
  private:
   QWidget* makeFacts();
+  QWidget* makeState();
   QWidget* makeFoot();
   void connectParts();
   void guessAgain();
@@ -74,6 +80,10 @@ class MappingDialog : public QDialog {
   void showGuess(const Result<MarkerGuess>& guess);
   MarkerModel model() const;
   QStringList missing() const;
+  int assigned() const;
+  void tell(const QString& text);
+  void refuse(const QString& why);
+  void leaveRefusal();
   void save();
   void load();
   Positions upright(const Positions& points) const;
@@ -93,6 +103,10 @@ class MappingDialog : public QDialog {
   QLabel *m_facts = nullptr, *m_state = nullptr;
   QPushButton *m_use = nullptr, *m_save = nullptr, *m_again = nullptr, *m_from_motion = nullptr;
   widgets::Palette m_palette;
+  QString m_said;
+  bool m_isRefusal = false;            ///< it is about an edit that was not taken
+  std::set<int> m_given;               ///< joints whose points the user gave, in no file yet
+  std::optional<MarkerModel> m_saved;  ///< in a file
   bool m_filling = false;
   std::unique_ptr<Job> m_job;
 };

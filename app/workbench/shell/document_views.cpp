@@ -55,10 +55,12 @@ void show_session(MainWindow& window) {
   window.takes().setLibrary(material.library);
   const bool is_named = library.compare("library", Qt::CaseInsensitive) != 0;
   window.panels().setHead("library", is_named ? "Library · " + library : "Library");
-  window.transport().setInput(QString("%1 %2 · %3 Hz")
-                                  .arg(material.is_only_recorded() ? "recorded" : "clip", input)
-                                  .arg(material.input.fps, 0, 'f', 0));
-  window.status().setInput({input, true, material.input.fps}, material.library->pair_count());
+  const bool plays = !material.is_only_recorded();
+  const QString named = (plays ? "clip " : "recorded ") + input;
+  const auto from = plays ? widgets::UserInput::Clip : widgets::UserInput::None;
+  window.transport().setInput(QString("%1 · %2 Hz").arg(named).arg(material.input.fps, 0, 'f', 0));
+  window.transport().showUserInput(from);
+  window.status().setInput({named, from, material.input.fps}, material.library->pair_count());
   window.setWindowTitle(input + " with " + library + " — Abrazo");
   window.ticker().setLibrary(material.library);
   window.ticker().setSources(&window.session()->history(), &window.session()->latest());

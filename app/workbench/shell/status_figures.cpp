@@ -12,6 +12,8 @@
 namespace abrazo::app {
 namespace {
 
+using widgets::UserInput;
+
 constexpr std::size_t values_kept = 1200;  // ten seconds at 120 Hz
 
 void keep_latest(std::vector<double>& values) {
@@ -79,7 +81,7 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
     return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2);
   };
   const QString render = "render", rendered = QString("%1 fps").arg(m_renderRate, 0, 'f', 0);
-  const QString in = m_isHeld ? "held" : hertz(m_input.comes ? m_input.rate_hz : 0);
+  const QString in = m_isHeld ? "held" : hertz(m_input.from != UserInput::None ? m_input.rate_hz : 0);
   if (newest) {
     m_ok = newest->result.status != StepStatus::Failed;
     m_left = {{"in", in}, {"steps", hertz(newest->input_rate_hz)}};
@@ -125,7 +127,11 @@ void StatusFigures::paintEvent(QPaintEvent*) {
     x += draw(x, figure->name, plain, m_palette.secondary) + 5;
     draw(x, figure->value, strong, m_palette.text);
   }
-  const QColor state = !m_input.comes ? m_palette.warning : m_ok ? m_palette.good : m_palette.live;
+  // Green is a performer who is there; a clip always is.
+  const QColor state = m_input.from == UserInput::None   ? m_palette.warning
+                       : !m_ok                           ? m_palette.live
+                       : m_input.from == UserInput::Clip ? m_palette.secondary
+                                                         : m_palette.good;
   double x = 26;
   painter.setPen(Qt::NoPen);
   painter.setBrush(state);

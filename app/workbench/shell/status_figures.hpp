@@ -10,6 +10,7 @@
 
 #include "core/session/frames/frame_history.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/common/user_input.hpp"
 #include "widgets/plots/plot_series.hpp"
 
 namespace abrazo::app {
@@ -21,9 +22,9 @@ class StatusFigures : public QWidget {
   /// State of the input.
   struct Input {
     QString name;
-    bool comes = true;                       ///< poses arrive at present
-    double rate_hz = 0;                      ///< of the poses
-    std::optional<std::uint64_t> lost = {};  ///< lost frames; none = loss is impossible
+    widgets::UserInput from = widgets::UserInput::None;  ///< where poses come from at present
+    double rate_hz = 0;                                  ///< of the poses
+    std::optional<std::uint64_t> lost = {};              ///< lost frames; none = loss is impossible
 
     bool operator==(const Input&) const = default;
   };

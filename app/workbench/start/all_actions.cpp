@@ -46,6 +46,7 @@ Rooms add_all_actions(MainWindow& window) {
   QObject::connect(&streams, &StreamDesk::addressFound, &takes,
                    [&takes](bool& ready) { ready = ready && takes.isReadyForStream(); });
   QObject::connect(&streams, &StreamDesk::aboutToReceive, &takes, &TakeDesk::prepareStream);
+  QObject::connect(&streams, &StreamDesk::aboutToDisconnect, &takes, &TakeDesk::endWithStream);
   QObject::connect(&takes, &TakeDesk::fileFinished, &streams, &StreamDesk::receiveOnceFound);
   add_pair_actions(window, takes, [&streams] { return std::pair(streams.user(), streams.second()); });
   add_role_actions(window);

@@ -52,7 +52,7 @@ void add_sinks(MainWindow& window, QMenu* menu, StreamDesk& desk, ConnectionPane
   });
 }
 
-/// A stream continues; a clip, which has no other end, is paused.
+/// A stream continues, and the view is parked; a clip, which has no other end, is paused.
 void freeze(MainWindow& window, const StreamDesk& desk) {
   if (desk.isConnected()) {
     const bool follows = window.ticker().playback().state == Playback::State::Following;
@@ -91,16 +91,20 @@ StreamDesk& add_stream_actions(MainWindow& window) {
                                   [desk] { desk->calibrate(); });
   QAction* forget =
       add_action(window, menu, "Forget the calibration", {}, [desk] { desk->forgetCalibration(); });
-  const auto enable = [=] {
-    for (QAction* action : {end, calibrate, forget}) action->setEnabled(desk->isConnected());
-  };
-  enable();
-  QObject::connect(desk, &StreamDesk::connectionChanged, end, enable);
   menu->addSeparator();
   add_sinks(window, menu, *desk, *panel);
   menu->addSeparator();
-  add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
-             [&window, desk] { freeze(window, *desk); });
+  QAction* still = add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
+                              [&window, desk] { freeze(window, *desk); });
+  QAction* hold = action_of(window, "solve.hold_the_input_still");
+  const auto enable = [=] {
+    const bool connected = desk->isConnected();
+    for (QAction* action : {end, calibrate, forget}) action->setEnabled(connected);
+    still->setText(connected ? "Park the view or follow; the stream goes on" : "Freeze the input");
+    if (hold) hold->setEnabled(!connected);  // a performer cannot be held
+  };
+  enable();
+  QObject::connect(desk, &StreamDesk::connectionChanged, end, enable);
   return *desk;
 }
 

@@ -24,9 +24,11 @@ using widgets::AddressForm;
 using widgets::ConnectionPanel;
 using widgets::SinkList;
 using widgets::StreamMark;
+using widgets::UserInput;
 
 constexpr int poll_ms = 250, calibration_ms = 50;
 constexpr int most_recent_streams = 8;
+constexpr const char* calibration_job = "calibration";
 
 /// Why nothing of use comes in.
 QString short_state(const StreamHealth& health) {
@@ -158,6 +160,7 @@ bool StreamDesk::receive() {
 
 void StreamDesk::disconnectStream() {
   if (!isConnected()) return;
+  emit aboutToDisconnect();
   m_calibration.cancel();
   m_soon.stop();
   m_sourceLookup.cancel();
@@ -168,6 +171,7 @@ void StreamDesk::disconnectStream() {
   m_second.clear();
   m_panel.setParts({}, {});
   m_panel.showCalibration({}, false);
+  m_window.messages().withdrawErrorsOf(calibration_job);
   if (engine()) engine()->stop_receiving();
   poll();
   emit connectionChanged();
@@ -283,14 +287,21 @@ void StreamDesk::advanceCalibration() {
     return;
   }
   m_soon.stop();
-  const bool is_good = m_calibration.stage() == CalibrationSteps::Stage::Done && !m_calibration.is_doubtful();
-  is_good ? m_window.messages().showInformation(said) : m_window.messages().showError(said);
+  const QString brief = QString::fromStdString(m_calibration.brief());
+  if (m_calibration.stage() != CalibrationSteps::Stage::Done)
+    m_window.messages().showError(brief);
+  else if (m_calibration.is_doubtful())  // the panel has all of it, the scene should be seen
+    m_window.messages().showErrorOf(
+        calibration_job, brief + ". Ctrl+T calibrates again, Live > Forget the calibration undoes it");
+  else
+    m_window.messages().succeed(calibration_job, brief);
   poll();
 }
 
 void StreamDesk::forgetCalibration() {
   if (!isConnected() || !engine()) return;
   m_calibration.cancel();
+  m_window.messages().withdrawErrorsOf(calibration_job);
   engine()->stop_receiving();
   if (receive()) m_panel.showCalibration("Reset; the rest pose is the sender's again", false);
 }
@@ -316,19 +327,22 @@ void StreamDesk::showInput() {
   const QString clip = QString::fromStdString(material.input.name);
   if (!m_health) {
     const char* kind = material.is_only_recorded() ? "recorded" : "clip";
-    nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
+    const QString named = QString("%1 %2").arg(kind, clip);
+    const auto from = material.is_only_recorded() ? UserInput::None : UserInput::Clip;
+    nameInput(QString("%1 · %2 Hz").arg(named).arg(material.input.fps, 0, 'f', 0));
     m_window.sceneTree().setInputName(kind);
-    m_window.transport().showInputComes(!material.is_only_recorded());
-    return m_window.status().showInput({clip, true, material.input.fps});
+    m_window.transport().showUserInput(from);
+    return m_window.status().showInput({named, from, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
   const QString name = streamName() + (comes ? QString() : " · " + short_state(*m_health));
   nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name,
             QString::fromStdString(widgets::headline_of(&*m_health).detail));
-  m_window.transport().showInputComes(comes);
+  const auto from = comes ? UserInput::Stream : UserInput::None;
+  m_window.transport().showUserInput(from);
   m_window.status().showInput(
-      {name, comes, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
+      {name, from, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
   m_window.sceneTree().setInputName("stream");
 }
 

@@ -73,6 +73,8 @@ class StreamDesk : public QObject {
   void aboutToReceive();
   /// The address is known. Set `ready` to false to call receiveOnceFound() later.
   void addressFound(bool& ready);
+  /// Emitted before what comes in ends, while it still plays the user.
+  void aboutToDisconnect();
   /// The connection changed or ended.
   void connectionChanged();
   void polled();

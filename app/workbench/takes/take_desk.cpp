@@ -75,6 +75,19 @@ void TakeDesk::toggle() {
   emit cameToNothing();
 }
 
+void TakeDesk::endWithStream() {
+  if (m_sequence.phase == Phase::Idle || !m_window.session() || !m_window.session()->engine().receiver())
+    return;
+  const QString name = QString::fromStdString(m_sequence.name);
+  const bool has_begun = isRecording();
+  toggle();
+  if (!has_begun)
+    m_window.messages().showInformation("The countdown of " + name +
+                                        " was cancelled, because its stream was disconnected");
+  else if (!takes().empty() && takes().all().back().name == name.toStdString())
+    m_window.messages().showInformation(name + " ended, because its stream was disconnected");
+}
+
 void TakeDesk::again() {
   if (!m_window.session() || takes().empty()) return;
   if (m_sequence.stop()) endTake();
@@ -179,7 +192,7 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
   writeEdits();
   const auto recorder = m_window.session()->engine().release_recorder();
   m_finishing = recorder;
-  m_lastState.bytes = recorder->state().bytes;
+  m_lastState.file_bytes = recorder->state().file_bytes;
   m_lastState.behind_s = 0;
   const QString file = std::exchange(m_file, afterwards == Afterwards::Discard ? QString() : m_file);
   if (m_file.isEmpty()) m_lastState = {};
@@ -192,7 +205,7 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
           emit fileFinished();
           if (!written) m_window.messages().showError(words(written.error()));
           if (m_file != file || m_finishing || !m_window.session()) return;
-          m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
+          m_lastState.file_bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
           update();
         };
       },
@@ -283,7 +296,7 @@ void TakeDesk::setFile(const QString& file) {
   m_file = file;
   m_isSaved = true;
   m_isForStream = false;
-  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
+  m_lastState.file_bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
   update();
   emit fileChanged();
 }
@@ -359,7 +372,7 @@ widgets::RecordingStatus TakeDesk::status() const {
   status.count = m_sequence.count(now());
   status.elapsed_s = m_sequence.elapsed_s(now());
   status.file = m_file.toStdString();
-  status.bytes = disk.bytes;
+  status.bytes = disk.file_bytes;
   status.frames = disk.frames;
   status.behind_s = disk.behind_s;
   status.failure = disk.failure;

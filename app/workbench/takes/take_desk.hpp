@@ -29,6 +29,9 @@ class TakeDesk : public QObject {
 
   /// Starts a take, cancels its countdown, or ends it.
   void toggle();
+  /// Ends the take, or cancels its countdown, before the stream of its performer ends: what plays the user
+  /// afterwards is not of it.
+  void endWithStream();
   /// Starts the next take of the same name.
   void again();
   bool isRecording() const { return m_sequence.phase == TakeSequence::Phase::Recording; }

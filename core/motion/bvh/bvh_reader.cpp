@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -268,6 +270,11 @@ void MotionParser::append_frame() {
   ++frames_;
 }
 
+/// With the digits that tell it from a whole number: "30.0003".
+std::string fps_text(double fps) {
+  return fmt::format("{:.8g}", fps);
+}
+
 /// Files round the frame time: 0.033333 s is meant to be 30 fps. NTSC rates (29.97, 59.94) are 0.1 % off and
 /// stay.
 std::optional<double> MotionParser::settle_rate() {
@@ -283,7 +290,7 @@ std::optional<double> MotionParser::settle_rate() {
   const double whole = std::round(fps);
   if (whole < 1 || std::abs(fps - whole) > 3e-4 * whole) return fps;
   if (std::abs(fps - whole) > 1e-6)
-    warn("fps-rounded", frame_time_line_, exact_text(fps) + " fps was rounded to " + exact_text(whole));
+    warn("fps-rounded", frame_time_line_, fps_text(fps) + " fps was rounded to " + exact_text(whole));
   return whole;
 }
 

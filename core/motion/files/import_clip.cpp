@@ -310,6 +310,7 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   const NamedMotion& motion = *by_markers ? **by_markers : file_points;
   const Result<JointBinding> binding = bind(motion, options, report);
   if (!binding) return binding.error();
+  if (*by_markers) report.inferred_joints = motion.inferred_joints;
   Result<std::vector<Pose>> poses = extract(motion, *binding);
   if (!poses) return poses.error();
   report.up_axis = settle_up_axis(motion, options, *poses, report);

@@ -292,7 +292,7 @@ Sizes sizes_of(const MarkerSet& set, const std::vector<Positions>& frames, doubl
 }
 
 /// The joints that no marker is near to.
-std::vector<std::string> inferred_joints(const MarkerSet& set) {
+std::vector<int> inferred_joints(const MarkerSet& set) {
   using namespace joints;
   std::vector<int> inferred;
   const bool front = set.has(Clavicle) || set.has_both(ClavicleSide) || set.has(Sternum);
@@ -305,8 +305,12 @@ std::vector<std::string> inferred_joints(const MarkerSet& set) {
     if (!set.has(Hand, side) && !(set.has(HandThumb, side) && set.has(HandLittle, side)))
       inferred.push_back(side == 0 ? left_hand : right_hand);
   }
+  return inferred;
+}
+
+std::vector<std::string> names_of_inferred(const std::vector<int>& joint_list) {
   std::vector<std::string> names;
-  for (const int joint : inferred) names.emplace_back(joint_names[static_cast<std::size_t>(joint)]);
+  for (const int joint : joint_list) names.emplace_back(joint_names[static_cast<std::size_t>(joint)]);
   return names;
 }
 
@@ -349,12 +353,13 @@ Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotio
   if (!with_gaps.empty())
     joints.warnings.push_back(
         {"done-without", 0, some_of(with_gaps) + ": not always seen, and done without"});
-  if (const auto inferred = inferred_joints(set); !inferred.empty())
+  joints.inferred_joints = inferred_joints(set);
+  if (!joints.inferred_joints.empty())
     joints.warnings.push_back(
         {"inferred-joints", 0,
-         std::to_string(inferred.size()) +
+         std::to_string(joints.inferred_joints.size()) +
              " of the 25 joints have no marker and were inferred from those beside them: " +
-             some_of(inferred, 25)});
+             some_of(names_of_inferred(joints.inferred_joints), 25)});
   Sizes sizes = sizes_of(set, markers.frames, metres_per_unit);
   const HipCentres hips =
       hip_centres(set, markers.frames, metres_per_unit, sizes.pelvis_width, sizes.pelvis_depth);

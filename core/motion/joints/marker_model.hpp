@@ -96,6 +96,10 @@ MarkerFit fit_of(const MarkerModel& model, const std::vector<std::string>& point
 /// ...".
 std::string why_no_body(const MarkerFit& fit);
 
+/// For a person who gives places to markers: which joints no marker tells of, the places without which the
+/// file cannot be used, and what helps. Empty if nothing is missing.
+std::string why_not_enough(const MarkerFit& fit);
+
 /// The 25 joints, named as in the joint set, in the file's unit: docs/guide/formats.md says how each is
 /// found. Joints without markers (head, hands) are inferred and named in a warning.
 /// @param metres_per_unit  the estimates know sizes of bodies and markers

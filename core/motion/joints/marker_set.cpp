@@ -107,6 +107,18 @@ MarkerFit nearest_marker_model(const std::vector<std::string>& points) {
   return nearest;
 }
 
+std::string why_not_enough(const MarkerFit& fit) {
+  constexpr std::size_t most_names = 3;
+  if (fit.missing.empty()) return {};
+  std::vector<std::string> joints;
+  if (!fit.legs) joints.emplace_back("the legs");
+  if (!fit.shoulders) joints.emplace_back("the shoulders");
+  if (!fit.arms) joints.emplace_back("elbows, wrists and hands");
+  return (joints.empty() ? std::string() : "No marker tells where " + some_of(joints) + " are. ") +
+         "The file cannot be used without " + some_of(fit.missing, most_names) +
+         ": give these places to markers, or export the recording with markers there";
+}
+
 std::string why_no_body(const MarkerFit& fit) {
   constexpr std::size_t most_names = 8;
   const std::string nearest = "the nearest marker set, '" + fit.model->name + "', of which " +

@@ -33,6 +33,8 @@ struct NamedMotion {
   std::optional<UpAxis> up_axis;          ///< nothing where the format does not say
   std::vector<std::string> animations;    ///< of the file, the ones read first; empty: one
   std::vector<ImportWarning> warnings;
+  std::vector<int> inferred_joints = {};  ///< where the points are the 25 joints, made of markers: those that
+                                          ///< no marker is near to
 };
 
 }  // namespace abrazo

@@ -242,6 +242,12 @@ std::uint64_t SessionWriter::bytes() const {
   return total;
 }
 
+std::uint64_t SessionWriter::file_bytes() {
+  const auto pages = database_.integer("PRAGMA page_count"), size = database_.integer("PRAGMA page_size");
+  if (!pages || !size) return 0;
+  return static_cast<std::uint64_t>(pages->value_or(0) * size->value_or(0));
+}
+
 // This connection holds the right to write from the first row to the last, and readers write neither file: a
 // time that is not of its own last write is another program's.
 void SessionWriter::look_for_other_writers() {

@@ -61,7 +61,9 @@ class SessionWriter {
   DatabaseFault fault() const { return fault_; }  ///< of the last function that failed
   /// Mapping of the session's times and indices to those of the file.
   const RecordedFrames::Origin& origin() const { return origin_; }
-  std::uint64_t bytes() const;  ///< of the file with its log
+  std::uint64_t bytes() const;  ///< of the file with its log, which has pages of the file again
+  /// Of the file once its log is in it; 0 if that cannot be read.
+  std::uint64_t file_bytes();
   /// Why written data will not be found under the file's name (deleted, moved, truncated or overwritten by
   /// another program); empty if all is well.
   std::string misplaced();

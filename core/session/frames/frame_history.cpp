@@ -58,6 +58,12 @@ std::pair<std::uint64_t, std::uint64_t> stored_between(const FrameStore& store, 
   return {first, std::max(first, end)};
 }
 
+/// Of so many frames of a store that an overview is read.
+std::uint64_t stride_of(std::uint64_t whole) {
+  return std::max<std::uint64_t>(1,
+                                 (whole + FrameHistory::overview_frames - 1) / FrameHistory::overview_frames);
+}
+
 }  // namespace
 
 std::size_t size_of(const FrameSnapshot& frame) {
@@ -304,9 +310,7 @@ std::vector<FrameSnapshotPtr> FrameHistory::next_since(std::uint64_t index) cons
   index = std::max(index, stored.first_index);
   if (stored.frames == 0 || index >= end) return since(index);
   if (store->is_kept(index, end - 1, overview_frames)) return since(index);
-  // As thinned as they are when read at once.
-  const std::uint64_t whole = end - stored.first_index;
-  const std::uint64_t stride = (whole + overview_frames - 1) / overview_frames;
+  const std::uint64_t stride = stride_of(end - stored.first_index);  // as when read at once
   while (index < end) {
     const std::uint64_t next = std::min(end, index + stride * read_at_once);
     std::vector<FrameSnapshotPtr> frames = store->between(index, next - 1, read_at_once);
@@ -314,6 +318,17 @@ std::vector<FrameSnapshotPtr> FrameHistory::next_since(std::uint64_t index) cons
     index = next;  // none of these can be read
   }
   return since(index);
+}
+
+std::uint64_t FrameHistory::frames_each() const {
+  const auto [span, store] = view();
+  const FrameStore::Span stored = store ? store->span() : FrameStore::Span{};
+  if (stored.frames == 0) return 1;
+  const std::uint64_t end =
+      span.frames > 0 ? std::min(stored.last_index + 1, span.first_index) : stored.last_index + 1;
+  const std::uint64_t stride = end > stored.first_index ? stride_of(end - stored.first_index) : 1;
+  // Both ends of a piece are read, so that the others are a little farther apart.
+  return (stride * read_at_once - 1 + read_at_once - 2) / (read_at_once - 1);
 }
 
 }  // namespace abrazo

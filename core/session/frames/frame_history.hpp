@@ -72,6 +72,8 @@ class FrameHistory {
   /// `read_at_once` frames of the store, unless it keeps them all in memory. Empty only if there are no more.
   std::vector<FrameSnapshotPtr> next_since(std::uint64_t index) const;
   static constexpr std::size_t read_at_once = 128;
+  /// How many frames of the store one of `next_since` stands for at most; 1 if it returns them all.
+  std::uint64_t frames_each() const;
 
  private:
   std::pair<Span, std::shared_ptr<const FrameStore>> view() const;

@@ -32,14 +32,14 @@ bool same_body(const Body& a, const Body& b) {
          a.toe_rest_height == b.toe_rest_height;
 }
 
+/// Not another library: each label that is given to a take makes one, and would be half a second of frames.
 bool changes_the_answer(const Command& command) {
   return std::visit(
       []<typename Wish>(const Wish&) {
         return std::is_same_v<Wish, SetSettings> || std::is_same_v<Wish, PinPair> ||
                std::is_same_v<Wish, SetVetoes> || std::is_same_v<Wish, IntendMove> ||
                std::is_same_v<Wish, SetRoleControl> || std::is_same_v<Wish, ResetSolver> ||
-               std::is_same_v<Wish, SeekInput> || std::is_same_v<Wish, ReplaceSource> ||
-               std::is_same_v<Wish, ReplaceSynthesizer>;
+               std::is_same_v<Wish, SeekInput> || std::is_same_v<Wish, ReplaceSource>;
       },
       command);
 }

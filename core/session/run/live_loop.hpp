@@ -40,7 +40,7 @@ class LiveLoop {
   void publish_failure(const std::string& why, double now_s);
 
   /// Whether the clip that plays the user is paused. No frames are made then, except for `settling_s` after
-  /// a command that changes the answer. Thread-safe.
+  /// a command that changes the answer; another library only acts on the next frame. Thread-safe.
   bool is_held() const { return is_held_; }
   static constexpr double settling_s = 0.5;
 

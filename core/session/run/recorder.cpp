@@ -59,6 +59,7 @@ class FileRecorder : public Recorder {
         store_(std::move(store)) {
     state_.path = path;
     state_.bytes = writer_->bytes();
+    state_.file_bytes = writer_->file_bytes();
     thread_ = std::thread([this] { run(); });
   }
 
@@ -242,12 +243,13 @@ class FileRecorder : public Recorder {
 
   /// Counts the data on disk, or reports why it is not.
   void settle(std::deque<Item>& batch, const Status& written) {
-    const std::uint64_t bytes = writer_->bytes();
+    const std::uint64_t bytes = writer_->bytes(), file_bytes = writer_->file_bytes();
     const std::string misplaced = writer_->misplaced();
     std::deque<Item> done;  // destroyed outside the lock
     const std::scoped_lock lock(mutex_);
     ++attempts_;
     state_.bytes = bytes;
+    state_.file_bytes = std::max(state_.file_bytes, file_bytes);
     if (!written) {
       state_.failure = written.error().message;
       failed_ = true;
@@ -289,6 +291,7 @@ class FileRecorder : public Recorder {
     queue_.clear();
     state_.take.clear();
     state_.bytes = writer_->bytes();
+    if (closed) state_.file_bytes = state_.bytes;              // the log is in it
     if (state_.failure == misplaced_) state_.failure.clear();  // closing reports the result
     if (!closed && state_.failure.empty()) state_.failure = closed.error().message;
     if (!state_.failure.empty())

@@ -49,10 +49,12 @@ class Recorder : public FrameListener {
 
   struct State {
     std::string path;
-    std::uint64_t frames = 0, poses = 0, bytes = 0;
-    double behind_s = 0;     ///< age of the oldest frame that is not on disk yet
-    std::string take;        ///< open take; empty = none
-    TakeSpan take_span;      ///< of the open take; of the last one after its end
+    std::uint64_t frames = 0, poses = 0;
+    std::uint64_t bytes = 0;       ///< on the disk, with the log that goes into the file
+    std::uint64_t file_bytes = 0;  ///< of the file with all that was written; never falls
+    double behind_s = 0;           ///< age of the oldest frame that is not on disk yet
+    std::string take;              ///< open take; empty = none
+    TakeSpan take_span;            ///< of the open take; of the last one after its end
     std::string failure;     ///< why frames are being lost: the disk is full or the file was deleted. Empty
                              ///< again once writing continues
     std::uint64_t lost = 0;  ///< frames and poses that will never be on disk

@@ -43,6 +43,20 @@ void CalibrationSteps::start(double now_s) {
 void CalibrationSteps::finish(Stage stage, std::string words) {
   stage_ = stage;
   words_ = std::move(words);
+  brief_ = words_;
+}
+
+void CalibrationSteps::finish_with(const Body& body, const std::vector<std::string>& doubts) {
+  const BodyVerdict verdict = judge_body(body);
+  is_doubtful_ = !verdict.is_plausible || !doubts.empty();
+  std::string words = (is_doubtful_ ? "Calibrated, but look: " : "Calibrated: ") + verdict.words;
+  if (!doubts.empty())
+    words += fmt::format("; the T-pose is doubtful: {}; then calibrate again", fmt::join(doubts, "; "));
+  finish(Stage::Done, std::move(words));
+  if (!is_doubtful_) return;
+  const std::size_t more = doubts.size() - (verdict.is_plausible ? 1 : 0);
+  brief_ = "Calibrated, but doubtful: " + (verdict.is_plausible ? doubts.front() : verdict.words) +
+           (more > 0 ? fmt::format(", and {} more", more) : "");
 }
 
 bool CalibrationSteps::advance(double now_s, const Seen& seen) {
@@ -69,13 +83,7 @@ bool CalibrationSteps::advance(double now_s, const Seen& seen) {
   const bool is_new = seen.measured && (!before_ || seen.measured->bone_lengths != before_->bone_lengths);
   // The same person measured twice may come out the same: then the last of the wait decides.
   if (is_new || (seen.measured && elapsed_s >= hold_s + patience_s)) {
-    const BodyVerdict verdict = judge_body(*seen.measured);
-    is_doubtful_ = !verdict.is_plausible || !seen.doubts.empty();
-    std::string words = (is_doubtful_ ? "Calibrated, but look: " : "Calibrated: ") + verdict.words;
-    if (!seen.doubts.empty())
-      words +=
-          fmt::format("; the T-pose is doubtful: {}; then calibrate again", fmt::join(seen.doubts, "; "));
-    finish(Stage::Done, std::move(words));
+    finish_with(*seen.measured, seen.doubts);
   } else if (elapsed_s >= hold_s + patience_s) {
     finish(Stage::Failed,
            "Not calibrated: too few whole poses came in within a second. See the diagnosis below, then try "

@@ -33,16 +33,19 @@ class CalibrationSteps {
   std::string large(double now_s) const;
   /// Instruction or result.
   const std::string& words() const { return words_; }
+  /// The same in a line: of the doubts the first, and how many there are.
+  const std::string& brief() const { return brief_; }
   /// Done, but the measurements are implausible or the pose was no T-pose.
   bool is_doubtful() const { return is_doubtful_; }
 
  private:
   void finish(Stage stage, std::string words);
+  void finish_with(const Body& body, const std::vector<std::string>& doubts);
 
   Stage stage_ = Stage::Idle;
   double since_s_ = 0;
   std::optional<Body> before_;  ///< body before this calibration
-  std::string words_;
+  std::string words_, brief_;
   bool is_doubtful_ = false;
 };
 

@@ -20,6 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 /// What a laboratory calls the markers of `marked_body`, and which of its joints the set finds worse.
 struct NamedSet {
@@ -211,6 +212,9 @@ TEST(MarkerSets, OfLaboratoriesAreFoundByTheirNames) {
     EXPECT_EQ(has_warning(clip->report.warnings, "inferred-joints"), !set.inferred.empty());
     if (!set.inferred.empty()) {
       EXPECT_EQ(the_warning(clip->report.warnings, "inferred-joints").detail, set.inferred);
+      EXPECT_EQ(clip->report.inferred_joints.size(), static_cast<std::size_t>(set.inferred[0] - '0'));
+    } else {
+      EXPECT_THAT(clip->report.inferred_joints, IsEmpty());
     }
     EXPECT_FALSE(has_warning(clip->report.warnings, "not-a-person"));
   }
@@ -229,6 +233,22 @@ TEST(MarkerSets, WithoutArmsAreSaidToBeOfTheLowerBody) {
   EXPECT_THAT(clip.error().message, HasSubstr("'helen-hayes'"));
   EXPECT_THAT(clip.error().message, HasSubstr("L elbow, L wrist, R elbow, R wrist"));
   EXPECT_THAT(clip.error().message, HasSubstr("A partner answers the head, the hands and the feet"));
+}
+
+TEST(MarkerSets, APersonWhoNamesMarkersIsToldWhatTheFileCannotBeUsedWithout) {
+  const test::MarkedBody body = test::marked_body(10, 0.3);
+  const auto said_without = [&](const std::vector<std::string>& words) {
+    return why_not_enough(nearest_marker_model(without(body.markers, words).points));
+  };
+  EXPECT_EQ(said_without({}), "");
+  EXPECT_THAT(
+      said_without({"SHO", "ELB", "WRA", "WRB"}),
+      StartsWith("No marker tells where the shoulders, elbows, wrists and hands are. The file cannot be "
+                 "used without "));
+  EXPECT_THAT(said_without({"SHO", "ELB", "WRA", "WRB"}),
+              HasSubstr("or export the recording with markers there"));
+  EXPECT_THAT(said_without({"LPSI"}), StartsWith("The file cannot be used without "))
+      << "every joint can be found";
 }
 
 TEST(MarkerSets, WithoutLegsOrWithUnknownNamesAreRefusedWithTheNearestSet) {

@@ -149,6 +149,23 @@ TEST(LiveLoop, AChangeIsSolvedOnTheHeldPoseAndThenItRestsAgain) {
   EXPECT_EQ(live.latest.newest(), settled) << "who listens changes no answer";
 }
 
+TEST(LiveLoop, AnotherLibraryMakesNoFrameOfAHeldPoseAndActsOnTheNext) {
+  Live live;
+  const auto loop = live.loop(test::responsive_by_pose());
+  run_for(*loop, 0, 0.5);
+  live.commands.push(PauseInput{true});
+  run_for(*loop, 0.5, 10);
+  const FrameSnapshotPtr held = live.latest.newest();
+  const std::shared_ptr<PartnerSynthesizer> next =
+      std::move(*PartnerSynthesizer::create(test::two_take_library(), test::responsive_by_pose()));
+  live.commands.push(ReplaceSynthesizer{next});
+  run_for(*loop, 10, 100);
+  EXPECT_EQ(live.latest.newest(), held);
+  live.commands.push(PauseInput{false});
+  run_for(*loop, 100, 100.5);
+  EXPECT_EQ(live.latest.newest()->library, next->shared_library());
+}
+
 TEST(LiveLoop, ASessionThatIsHeldFromTheBeginningHasAFrame) {
   Live live;
   const auto loop = live.loop(test::responsive_by_pose());

@@ -357,6 +357,23 @@ TEST(Recorder, MayBeReadWhileItGoesOn) {
   EXPECT_GT(frames_of(*file).size(), then);
 }
 
+/// The log beside the file has pages of it again: with them a recording became smaller when it ended.
+TEST(Recorder, TheSizeOfTheFileDoesNotFallWhenTheRecordingEnds) {
+  Recorded session;
+  std::uint64_t before = 0;
+  for (const double until_s : {0.5, 1.0, 1.5}) {
+    session.run_until(until_s);
+    ASSERT_TRUE(session.recorder().flush());
+    const std::uint64_t now = session.recorder().state().file_bytes;
+    EXPECT_GT(now, before);
+    EXPECT_LE(now, session.recorder().state().bytes) << "the log is on the disk, too";
+    before = now;
+  }
+  ASSERT_TRUE(session.recorder().finish());
+  EXPECT_GE(session.recorder().state().file_bytes, before);
+  EXPECT_EQ(session.recorder().state().file_bytes, std::filesystem::file_size(session.path));
+}
+
 TEST(Recorder, AFullDiskIsSaidAndTheSessionGoesOn) {
   RecorderOptions options;
   options.largest_file_bytes = 640 << 10;

@@ -69,6 +69,20 @@ TEST_F(Calibration, OfSomeoneWhoDancesIsDoneButTold) {
   EXPECT_FALSE(steps.is_doubtful());
 }
 
+TEST_F(Calibration, TellsTheFirstDoubtAndTheNumberOfTheOthersInALine) {
+  count_down();
+  steps.advance(14, {true, person()});
+  EXPECT_EQ(steps.brief(), steps.words()) << "there is no doubt";
+  count_down();
+  steps.advance(14, {true, person(), {"one foot is higher than the other; stand on both"}});
+  EXPECT_EQ(steps.brief(), "Calibrated, but doubtful: one foot is higher than the other; stand on both");
+  count_down();
+  steps.advance(14,
+                {true, person(), {"the left arm is bent by 80 degrees; stretch it", "another", "a third"}});
+  EXPECT_EQ(steps.brief(),
+            "Calibrated, but doubtful: the left arm is bent by 80 degrees; stretch it, and 2 more");
+}
+
 TEST_F(Calibration, ThatMeasuresTheSameAsBeforeIsDoneAfterAWhile) {
   steps.start(10);
   steps.advance(13, {true, person()});
