@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QTableWidget>
+#include <QTimer>
+#include <QTreeView>
 
 #include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
@@ -346,12 +348,91 @@ TEST_F(Annotating, AHeldKeyLabelsWhileTheTakePlays) {
   EXPECT_FALSE(timeline().tiers().running.empty());
   QTest::keyRelease(&timeline(), Qt::Key_1);
   const double to = ticker().playback().cursor_s;
+  until([] { return !labels().empty(); });
   ticker().pause();
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_NEAR(labels()[0].start_s, from, 0.05);
   EXPECT_NEAR(labels()[0].end_s, to, 0.05);
   EXPECT_TRUE(on_frame(labels()[0].start_s));
   EXPECT_TRUE(timeline().tiers().running.empty());
+}
+
+/// As a keyboard reports a key that is held. @param flagged  whether the window system says what it is
+void repeat(QWidget& to, bool flagged) {
+  QKeyEvent up(QEvent::KeyRelease, Qt::Key_1, {}, "1", flagged);
+  QApplication::sendEvent(&to, &up);
+  QKeyEvent may_be_kept(QEvent::ShortcutOverride, Qt::Key_1, {}, "1", flagged);
+  may_be_kept.ignore();
+  QApplication::sendEvent(&to, &may_be_kept);
+  QKeyEvent down(QEvent::KeyPress, Qt::Key_1, {}, "1", flagged);
+  QApplication::sendEvent(&to, &down);
+}
+
+/// A busy machine reported the repetition as releases and presses, which drew three labels.
+TEST_F(Annotating, AHeldKeyDrawsOneLabelHoweverTheKeyboardRepeatsIt) {
+  ticker().seek(2);
+  ticker().toggle();
+  turn();
+  const auto play_on = [] {
+    const double here = ticker().playback().cursor_s;
+    ASSERT_TRUE(until([here] { return ticker().playback().cursor_s > here + 0.1; }));
+  };
+  QTest::keyPress(&timeline(), Qt::Key_1);
+  const double from = ticker().playback().cursor_s;
+  for (const bool flagged : {true, false, false, true}) {
+    play_on();
+    repeat(timeline(), flagged);
+  }
+  play_on();
+  bool pressed = false;
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  QTimer::singleShot(0, &timeline(), [&pressed] {
+    QTest::keyPress(&timeline(), Qt::Key_1);
+    pressed = true;
+  });
+  ASSERT_TRUE(until([&pressed] { return pressed; })) << "in another turn of the window";
+  play_on();
+  EXPECT_TRUE(labels().empty());
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  const double to = ticker().playback().cursor_s;
+  until([] { return !labels().empty(); });
+  ticker().pause();
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(labels()[0].start_s, from, 0.05);
+  EXPECT_NEAR(labels()[0].end_s, to, 0.05);
+}
+
+/// After a click into the scene a digit turned the camera and labelled nothing.
+TEST_F(Annotating, ValueKeysWorkWhereverTheFocusIsButInAField) {
+  widgets::SceneView& scene = window().scene();
+  QWidget* view = nullptr;
+  for (QWidget* child : scene.findChildren<QWidget*>())
+    if (!view && child->focusPolicy() == Qt::StrongFocus && child->isVisible()) view = child;
+  ASSERT_TRUE(view);
+  const double azimuth_rad = scene.camera().azimuth_rad;
+  QTreeView list(&window());
+  list.show();
+  double at_s = 1;
+  for (QWidget* place : {view, static_cast<QWidget*>(&list)}) {
+    empty();
+    ticker().seek(at_s += 1);
+    place->setFocus(Qt::MouseFocusReason);
+    turn();
+    QTest::keyClick(place, Qt::Key_2);
+    turn();
+    ASSERT_EQ(labels().size(), 1u) << place->metaObject()->className();
+    EXPECT_EQ(labels()[0].value, "two");
+    EXPECT_NEAR(labels()[0].start_s, at_s, 0.05);
+  }
+  EXPECT_EQ(scene.camera().azimuth_rad, azimuth_rad);
+  QLineEdit field(&window());
+  field.show();
+  field.setFocus();
+  QTest::keyClick(&field, Qt::Key_1);
+  turn();
+  EXPECT_EQ(field.text(), "1");
+  EXPECT_EQ(labels().size(), 1u);
+  EXPECT_EQ(labels()[0].value, "two");
 }
 
 TEST_F(Annotating, TappingEndsTheLastAndBeginsTheNext) {
@@ -449,6 +530,7 @@ TEST_F(Annotating, TheSessionItselfIsLabelledWhileItIsLive) {
   const double from = ticker().playback().cursor_s;
   until([from] { return ticker().playback().cursor_s > from + 0.4; });
   QTest::keyRelease(&timeline(), Qt::Key_1);
+  until([] { return !labels().empty(); });
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_EQ(labels()[0].value, tier().vocabulary.front().value);
   EXPECT_NEAR(labels()[0].start_s, from, 0.1);
