@@ -193,6 +193,19 @@ TEST_F(Timeline, ScrollsItsLanesWhereThePanelIsLow) {
   EXPECT_FALSE(scroll->isVisible());
 }
 
+TEST_F(Timeline, TheLaneOfTakesComesIntoViewWhenATakeIsRecorded) {
+  view.resize(900, 100);
+  const auto is_in_view = [this] {
+    const TimelineLanes& lanes = view.lanes();
+    const double top = lanes.top_of(TimelineLane::Takes);
+    return top >= lanes.top_px() && top + info_of(TimelineLane::Takes).height_px <= lanes.bottom_px();
+  };
+  view.showTakes({{3, 1, 4, "salsa 001", false}});
+  EXPECT_FALSE(is_in_view());
+  view.showTakes({{3, 1, 4, "salsa 001", false}, {4, 6, 6, "salsa 002", true}});
+  EXPECT_TRUE(is_in_view());
+}
+
 TEST_F(Timeline, AsksToGoWhereItIsClickedAndDragged) {
   QSignalSpy asked(&view, &TimelineView::seekRequested), scrubbing(&view, &TimelineView::scrubbing);
   drag({x(7), 10}, {x(9), 40});

@@ -20,7 +20,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int first_x = 12, indent = 14, arrow_room = 26, least_rows = 6;
+constexpr int first_x = 12, indent = 14, arrow_room = 26, least_rows = 3;
 
 }  // namespace
 
