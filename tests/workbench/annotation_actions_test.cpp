@@ -1,19 +1,23 @@
 // Labels in the whole window, by the mouse and the keys of a user.
 #include <QApplication>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableWidget>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/opening/file_kinds.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/annotation/problem_list.hpp"
 #include "widgets/annotation/value_picker.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
@@ -558,6 +562,43 @@ TEST_F(Annotating, ThePanelListsTheLabelsAndTakesTypedTimes) {
   EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
   table.item(0, 0)->setText("soon");
   EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
+}
+
+/// In a window of the usual size the rows and "+ Value" were below the panel, and a refused name sounded as
+/// if it had been taken.
+TEST_F(Annotating, TheVocabularyIsInViewAndSaysBesideItWhyAnEditIsRefused) {
+  widgets::AnnotationPanel& panel = desk().panel();
+  window().panels().want("annotation", true);
+  turn();
+  const auto button = [&panel](const QString& words) {
+    for (auto* each : panel.findChildren<QToolButton*>())
+      if (each->text() == words) return each;
+    return static_cast<QToolButton*>(nullptr);
+  };
+  QTest::mouseClick(button("Vocabulary"), Qt::LeftButton);
+  turn();
+  QTableWidget* table = nullptr;
+  for (auto* each : panel.findChildren<QTableWidget*>())
+    if (each->accessibleName() == "Vocabulary") table = each;
+  ASSERT_TRUE(table);
+  EXPECT_EQ(button("+ Value")->visibleRegion().boundingRect(), button("+ Value")->rect());
+  const QRect last = table->visualItemRect(table->item(1, 2));
+  EXPECT_TRUE(table->viewport()->visibleRegion().contains(last.center()));
+  const auto says = [&panel](const QString& words) {
+    for (const auto* each : panel.findChildren<QLabel*>())
+      if (each->text() == words && !each->visibleRegion().isEmpty()) return true;
+    return false;
+  };
+  table->item(1, 2)->setText("one");
+  turn();
+  const QString used = "Not changed: 'one' is already a value; choose another word";
+  EXPECT_TRUE(says(used));
+  EXPECT_EQ(window().messages().text(), used);
+  EXPECT_EQ(table->item(1, 2)->text(), "two");
+  table->item(1, 0)->setText("1");
+  turn();
+  EXPECT_TRUE(says("Not changed: the key 1 is already that of 'one'; choose another key for 'two'"));
+  EXPECT_EQ(tier().entry("two")->key, '2');
 }
 
 TEST_F(Annotating, ALabelIsCompletedWhileItIsTypedInThePanel) {
