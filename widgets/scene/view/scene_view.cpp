@@ -380,7 +380,7 @@ void SceneView::arrange() {
   p.makeRoom(narrow && 5 * legend_x < 3 * width());  // else the legend is beside the pair
   p.morph->adjustSize();
   p.morph->move(12, p.facts->y() - p.morph->height());
-  p.picker.arrange(p.facts->y());
+  placeCards();
   emit arranged();
 }
 

@@ -151,6 +151,7 @@ class SceneView : public QWidget {
   void dressCharacters();
   void render();
   void arrange();
+  void placeCards();
   void updateFacts();
   void followPair();
   void moveCamera(const OrbitCamera& to);
