@@ -44,6 +44,7 @@ SceneTree::SceneTree(QWidget* parent)
   column->addWidget(m_scroll, 1);
   column->addWidget(m_characters);
   setFocusProxy(m_list);
+  leave_by_escape(*m_filter, *m_list);
   connect(m_filter, &QLineEdit::textChanged, m_list, &SceneTreeList::setFilter);
   connect(m_list, &SceneTreeList::visibilityRequested, this, &SceneTree::visibilityRequested);
   connect(m_list, &SceneTreeList::selectionRequested, this, &SceneTree::selectionRequested);

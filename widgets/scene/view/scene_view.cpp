@@ -295,6 +295,10 @@ void SceneView::setScalar(MeshScalar scalar) {
   emit scalarChanged(scalar);
 }
 
+void SceneView::askRange() {
+  m_parts->legend->askRange();
+}
+
 void SceneView::setOptions(const SceneOptions& wanted) {
   const Parts& p = *m_parts;
   SceneOptions placed = wanted;
