@@ -126,6 +126,7 @@ TEST_F(CuttingPlane, IsDraggedAlongItsNormalByItsShaftAndUndoTakesItBack) {
   EXPECT_FALSE(selection()) << "nor a click";
   EXPECT_NEAR(QLineF(shaft(), from + along).length(), 0, 3) << "what was held stays under the pointer";
   EXPECT_EQ(window().undoStack().count(), 1) << "one drag is one step";
+  EXPECT_EQ(window().undoStack().undoText(), "move cutting plane") << "the history says which change it was";
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(scene().options().has_cut_of(m_before));
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
