@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -66,15 +67,16 @@ Result<std::string> tier_name(std::string_view name, const std::vector<Annotatio
 
 Status check_vocabulary(const std::vector<VocabularyEntry>& vocabulary, std::string_view tier) {
   std::set<std::string_view> values;
-  std::set<char> keys;
+  std::map<char, std::string_view> keys;
   for (const VocabularyEntry& entry : vocabulary) {
     if (trimmed(entry.value).empty())
       return Error{"a value of the vocabulary is empty; name it or leave it out", std::string(tier)};
     if (!values.insert(entry.value).second)
-      return Error{"the vocabulary has '" + entry.value + "' twice; rename one", std::string(tier)};
-    if (entry.key != 0 && !keys.insert(entry.key).second)
-      return Error{fmt::format("the key {} says two values, one of them '{}'; give one another key",
-                               entry.key, entry.value),
+      return Error{"'" + entry.value + "' is already a value; choose another word", std::string(tier)};
+    if (entry.key == 0) continue;
+    if (const auto [owner, is_new] = keys.emplace(entry.key, entry.value); !is_new)
+      return Error{fmt::format("the key {} is already that of '{}'; choose another key for '{}'", entry.key,
+                               owner->second, entry.value),
                    std::string(tier)};
   }
   return Done{};

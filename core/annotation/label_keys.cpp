@@ -30,6 +30,12 @@ std::vector<LabelKeys::Said> LabelKeys::set_taps(bool on, const Moment& now) {
   return said;
 }
 
+bool LabelKeys::hold(char key) {
+  const bool repeats = release_of(key) != nullptr;
+  held_[key].reset();
+  return !repeats;
+}
+
 std::vector<LabelKeys::Said> LabelKeys::press(char key, const AnnotationTier& tier, const Moment& now) {
   std::vector<Said> said;
   const auto before = std::find_if(running_.begin(), running_.end(),
@@ -41,10 +47,28 @@ std::vector<LabelKeys::Said> LabelKeys::press(char key, const AnnotationTier& ti
   return said;
 }
 
-std::vector<LabelKeys::Said> LabelKeys::release(char key, const Moment& now) {
+void LabelKeys::let_go(char key, const Moment& now) {
+  const auto found = held_.find(key);
+  if (found != held_.end() && !found->second) found->second = now;
+}
+
+std::vector<LabelKeys::Said> LabelKeys::settle() {
   std::vector<Said> said;
-  if (!taps_) end(key, now.cursor_s, now.fps, said);
+  for (const auto& [key, release] : held_)
+    if (release && !taps_) end(key, release->cursor_s, release->fps, said);
+  std::erase_if(held_, [](const auto& held) { return held.second.has_value(); });
   return said;
+}
+
+std::vector<LabelKeys::Said> LabelKeys::let_all_go(const Moment& now) {
+  for (auto& [key, release] : held_)
+    if (!release) release = now;
+  return settle();
+}
+
+const LabelKeys::Moment* LabelKeys::release_of(char key) const {
+  const auto found = held_.find(key);
+  return found != held_.end() && found->second ? &*found->second : nullptr;
 }
 
 std::vector<LabelKeys::Said> LabelKeys::finish(const Moment& now) {
@@ -64,7 +88,9 @@ std::vector<LabelKeys::Said> LabelKeys::follow(const Moment& now) {
       end(key, until_s, now.fps, said);
       // Pressed within the last frame of the loop: the label is still empty and applies to the next pass.
       const bool said_nothing = said.size() == said_before;
-      if (!now.is_parked && (taps_ || said_nothing)) running_[key] = {each.tier, each.value, now.cursor_s};
+      const bool is_over = !taps_ && release_of(key);
+      if (!now.is_parked && !is_over && (taps_ || said_nothing))
+        running_[key] = {each.tier, each.value, now.cursor_s};
     }
   }
   last_s_ = now.cursor_s;
@@ -76,6 +102,7 @@ void LabelKeys::end(char key, double at_s, double fps, std::vector<Said>& said) 
   if (found == running_.end()) return;
   const Running ended = found->second;
   running_.erase(found);
+  if (const Moment* release = taps_ ? nullptr : release_of(key)) at_s = release->cursor_s;
   const auto frame = [fps](double time_s) { return fps > 0 ? std::round(time_s * fps) / fps : time_s; };
   const Annotations::Range span{frame(std::min(ended.from_s, at_s)), frame(std::max(ended.from_s, at_s))};
   if (span.last_s > span.first_s) said.push_back({ended.tier, ended.value, span});

@@ -18,6 +18,9 @@ const AnnotationTier* tier_of_key(const Annotations& annotations, int active_tie
 /// release; in tapping mode each tap ends the last value of its tier and begins the next, and the same key
 /// again only ends it. A tier has one value at a time. Keeps the open labels; returns finished ones to be
 /// drawn.
+///
+/// A keyboard that repeats a held key reports releases that are none, each followed by a press. A release
+/// therefore counts only once it is settled, with the time at which it came.
 class LabelKeys {
  public:
   /// State of the time cursor.
@@ -43,25 +46,34 @@ class LabelKeys {
   bool taps() const { return taps_; }
   /// Switches tapping mode; ends open labels.
   std::vector<Said> set_taps(bool on, const Moment& now);
-  /// @param tier from `tier_of_key`
+  /// A press was reported. @return false for a repetition: the release before it was none
+  bool hold(char key);
+  /// @param key  a press that is no repetition; @param tier  from `tier_of_key`
   std::vector<Said> press(char key, const AnnotationTier& tier, const Moment& now);
-  std::vector<Said> release(char key, const Moment& now);
-  std::vector<Said> finish(const Moment& now);
+  /// A release was reported. It counts when no press of this key follows until `settle`.
+  void let_go(char key, const Moment& now);
+  std::vector<Said> settle();
+  /// Later releases are not reported: all held keys count as released.
+  std::vector<Said> let_all_go(const Moment& now);
   /// Advances the time. A parked cursor ends open labels; so does the restart of a loop, at the loop's end.
   /// In tapping mode, and for a key pressed within the last frame, the label continues from the beginning.
   std::vector<Said> follow(const Moment& now);
   /// Drops open labels, for another subject.
   void forget() { running_.clear(); }
 
+  bool is_held(char key) const { return held_.contains(key); }
   bool is_running(char key) const { return running_.contains(key); }
   const std::map<char, Running>& running() const { return running_; }
 
  private:
+  const Moment* release_of(char key) const;
   void end(char key, double at_s, double fps, std::vector<Said>& said);
+  std::vector<Said> finish(const Moment& now);
 
   bool taps_ = false;
-  std::map<char, Running> running_;  ///< by key
-  double last_s_ = 0;                ///< previous cursor
+  std::map<char, Running> running_;             ///< by key
+  std::map<char, std::optional<Moment>> held_;  ///< by key; with the release that is not settled yet
+  double last_s_ = 0;                           ///< previous cursor
 };
 
 }  // namespace abrazo

@@ -8,6 +8,8 @@
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/panel/scene_overlay.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -61,6 +63,21 @@ TEST(FrameFacts, SaysItBrieflyWhereTheWholeDoesNotFit) {
   while (facts.firstLine() == line.whole && facts.width() > 0)
     facts.resize(facts.width() - 4, facts.height());
   EXPECT_EQ(facts.firstLine(), line.brief) << "at " << facts.width() << " pixels";
+}
+
+/// Digits are drawn as wide as the widest: the end of a line that was measured otherwise was cut.
+TEST(FrameFacts, LeavesOutWholeFactsInAnyWidth) {
+  FrameFacts facts(nullptr);
+  const QString brief = "frame 11111 · 111.111 s · step 1 + 1 / 1 + 1 · 11 inverted";
+  facts.show({"frame 11111 · 111.111 s · morph step 1 + 1 / 1 + 1 · 11 of 111 tetrahedra inverted", brief},
+             {}, {});
+  for (int width = 900; width > 200; width -= 7) {
+    facts.resize(width, facts.height());
+    const QString line = facts.firstLine();
+    EXPECT_LE(tabular_width(interface_font(13), line), width - 8) << width;
+    EXPECT_FALSE(line.contains("…")) << line.toStdString();
+    EXPECT_TRUE(line.startsWith("frame 11111"));
+  }
 }
 
 TEST(SceneView, CutsAwayWhatIsNearerThanThePlane) {

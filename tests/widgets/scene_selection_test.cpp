@@ -10,6 +10,7 @@
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/panel/scene_overlay.hpp"
 #include "widgets/scene/pick/part_table_view.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
@@ -128,6 +129,31 @@ TEST(SceneView, KeepsItsCardsOffTheWordsAboutTheFrame) {
     EXPECT_FALSE(hovered->isVisible() && hovered->geometry().intersects(facts->geometry())) << size.height();
   }
   EXPECT_TRUE(hovered->isVisible()) << "the last size shows the foot";
+}
+
+/// In a window of 640x400 the card lay over the legend, its range, its lock and its menu.
+TEST(SceneView, KeepsTheCardOfTheSelectionOffLegendAndButtonsInALowPicture) {
+  Scene scene({ScenePart::Joints});
+  scene.model.select(Selection::joint(joints::Head));
+  const auto* card = scene.view.findChild<QWidget*>("selected");
+  int whole = 0;
+  for (const QSize size : {QSize(1100, 600), QSize(640, 206), QSize(540, 420), QSize(800, 230)}) {
+    scene.view.resize(size);
+    picture_of(scene.view);
+    ASSERT_TRUE(card->isVisible());
+    whole = std::max(whole, card->height());
+    for (const auto* legend : scene.view.findChildren<ScalarLegend*>()) {
+      const bool covers = legend->isVisible() && card->geometry().intersects(legend->geometry());
+      EXPECT_FALSE(covers) << size.width() << "x" << size.height();
+    }
+    EXPECT_FALSE(card->geometry().intersects(scene.view.findChild<ScalarChips*>()->geometry()))
+        << size.width();
+    EXPECT_FALSE(card->geometry().intersects(scene.view.findChild<FrameFacts*>()->geometry()))
+        << size.width();
+  }
+  scene.view.resize(1100, 600);
+  picture_of(scene.view);
+  EXPECT_EQ(card->height(), whole) << "all lines where there is room";
 }
 
 TEST(SceneView, AddsWithShiftAndTogglesWithCtrl) {

@@ -111,6 +111,38 @@ TEST(TimelineLanes, ATierThatIsRevealedIsWholeAndTheTopLaneToo) {
   EXPECT_EQ(lanes.scroll_px(), 54);
 }
 
+/// In a window that was made lower the lanes began with Source again, and nobody saw what was annotated.
+TEST(TimelineLanes, ATierThatIsRevealedStaysInViewInEveryHeight) {
+  TimelineLanes lanes;
+  lanes.set_tiers({{1, "role"}, {2, "move"}, {3, "note"}});
+  const auto is_whole = [&lanes] {
+    return lanes.top_of_tier(2) >= lanes.top_px() &&
+           lanes.top_of_tier(2) + TimelineLanes::tier_px <= lanes.bottom_px();
+  };
+  lanes.set_height(lanes.whole_px());
+  lanes.reveal(2);
+  const double least = lanes.top_px() + 54 + TimelineLanes::overview_px;
+  for (const double height_px : {lanes.whole_px() - 100, least, lanes.whole_px(), least}) {
+    lanes.set_height(height_px);
+    EXPECT_TRUE(is_whole()) << height_px;
+  }
+  lanes.scroll_to(0);
+  lanes.set_height(least + 10);
+  EXPECT_EQ(lanes.scroll_px(), 0) << "until a person scrolls";
+}
+
+TEST(TimelineLanes, AComputedLaneIsRevealed) {
+  TimelineLanes lanes;
+  lanes.set_height(lanes.top_px() + 54 + TimelineLanes::overview_px);
+  lanes.reveal(TimelineLane::Takes);
+  EXPECT_GE(lanes.top_of(TimelineLane::Takes), lanes.top_px());
+  EXPECT_LE(lanes.top_of(TimelineLane::Takes) + info_of(TimelineLane::Takes).height_px, lanes.bottom_px());
+  lanes.set_shown(TimelineLane::Takes, false);
+  lanes.scroll_to(0);
+  lanes.reveal(TimelineLane::Takes);
+  EXPECT_EQ(lanes.scroll_px(), 0) << "not when it is hidden";
+}
+
 TEST(TimelineLanes, AreRememberedByName) {
   TimelineLanes lanes;
   lanes.set_shown(TimelineLane::Energy, true);

@@ -194,6 +194,19 @@ TEST_F(Timeline, ScrollsItsLanesWhereThePanelIsLow) {
   EXPECT_FALSE(scroll->isVisible());
 }
 
+TEST_F(Timeline, TheLaneOfTakesComesIntoViewWhenATakeIsRecorded) {
+  view.resize(900, 100);
+  const auto is_in_view = [this] {
+    const TimelineLanes& lanes = view.lanes();
+    const double top = lanes.top_of(TimelineLane::Takes);
+    return top >= lanes.top_px() && top + info_of(TimelineLane::Takes).height_px <= lanes.bottom_px();
+  };
+  view.showTakes({{3, 1, 4, "salsa 001", false}});
+  EXPECT_FALSE(is_in_view());
+  view.showTakes({{3, 1, 4, "salsa 001", false}, {4, 6, 6, "salsa 002", true}});
+  EXPECT_TRUE(is_in_view());
+}
+
 TEST_F(Timeline, AsksToGoWhereItIsClickedAndDragged) {
   QSignalSpy asked(&view, &TimelineView::seekRequested), scrubbing(&view, &TimelineView::scrubbing);
   drag({x(7), 10}, {x(9), 40});
@@ -438,6 +451,61 @@ TEST(TransportBar, ALongNameOfTheInputIsShortenedBeforeItsRateAndToldInTheToolti
   bar.resize(500, bar.height());
   (void)picture_of(bar);
   EXPECT_EQ(bar.inputText(), QString());
+}
+
+/// "PARKED -3", "goes on", "ser leads", "nned · ap": both ends of what was written were cut.
+TEST(TransportBar, LeavesOutWordsInANarrowWindowAndCutsNone) {
+  QWidget window;
+  window.resize(1700, 60);
+  TransportBar bar(&window);
+  Playback playback;
+  playback.extend(0, 35);
+  playback.seek(11.5);
+  bar.setInput("VMC from this machine · 60 Hz");
+  bar.showRole(true, "by the library");
+  const auto cut = [&] {
+    (void)picture_of(window);
+    QString found;
+    for (const QWidget* part : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      if (part->isVisible() &&
+          (part->width() < part->minimumSizeHint().width() || part->geometry().right() > bar.width()))
+        found += part->accessibleName() + " ";
+    return found.toStdString();
+  };
+  for (const bool is_full : {false, true}) {
+    bar.showPins(is_full, false);
+    bar.showRecording(is_full ? "salsa 003 · 00:35" : "");
+    for (const int width : {1600, 1100, 640, 1600}) {
+      bar.resize(width, bar.height());
+      for (const bool plays : {false, true}) {
+        plays ? playback.play() : playback.pause();
+        bar.showPlayback(playback, 690);
+        EXPECT_EQ(cut(), "") << width << (is_full ? " with a pin and a recording" : "");
+      }
+    }
+    EXPECT_TRUE(bar.stateText().contains("−23.5 s")) << "whole again where there is room";
+    EXPECT_EQ(bar.roleText(), QString("user leads · by the library ▾"));
+  }
+  bar.resize(640, bar.height());
+  (void)picture_of(window);
+  EXPECT_EQ(bar.recordingText(), QString("● REC"));
+  bool is_told = false;
+  for (const QLabel* label : bar.findChildren<QLabel*>())
+    is_told = is_told || label->toolTip().contains("salsa 003");
+  EXPECT_TRUE(is_told) << "the tooltip has the rest";
+}
+
+TEST(TransportBar, LeavesOutThatTheSenderIsThisMachineBeforeItsNameIsShortened) {
+  TransportBar bar;
+  bar.setInput("Abrazo, NatNet (Motive) at this machine · 120 Hz");
+  bar.resize(2400, bar.height());
+  (void)picture_of(bar);
+  EXPECT_EQ(bar.inputText(), QString("Abrazo, NatNet (Motive) at this machine · 120 Hz"));
+  for (int width = 2400; width > 640 && bar.inputText().contains("at this machine"); width -= 10) {
+    bar.resize(width, bar.height());
+    (void)picture_of(bar);
+  }
+  EXPECT_EQ(bar.inputText(), QString("Abrazo, NatNet (Motive) · 120 Hz"));
 }
 
 TEST(TransportBar, ATakeIsNeverLive) {

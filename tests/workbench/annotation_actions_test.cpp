@@ -1,17 +1,23 @@
 // Labels in the whole window, by the mouse and the keys of a user.
 #include <QApplication>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableWidget>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeView>
 
 #include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/opening/file_kinds.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/annotation/problem_list.hpp"
 #include "widgets/annotation/value_picker.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
@@ -346,12 +352,91 @@ TEST_F(Annotating, AHeldKeyLabelsWhileTheTakePlays) {
   EXPECT_FALSE(timeline().tiers().running.empty());
   QTest::keyRelease(&timeline(), Qt::Key_1);
   const double to = ticker().playback().cursor_s;
+  until([] { return !labels().empty(); });
   ticker().pause();
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_NEAR(labels()[0].start_s, from, 0.05);
   EXPECT_NEAR(labels()[0].end_s, to, 0.05);
   EXPECT_TRUE(on_frame(labels()[0].start_s));
   EXPECT_TRUE(timeline().tiers().running.empty());
+}
+
+/// As a keyboard reports a key that is held. @param flagged  whether the window system says what it is
+void repeat(QWidget& to, bool flagged) {
+  QKeyEvent up(QEvent::KeyRelease, Qt::Key_1, {}, "1", flagged);
+  QApplication::sendEvent(&to, &up);
+  QKeyEvent may_be_kept(QEvent::ShortcutOverride, Qt::Key_1, {}, "1", flagged);
+  may_be_kept.ignore();
+  QApplication::sendEvent(&to, &may_be_kept);
+  QKeyEvent down(QEvent::KeyPress, Qt::Key_1, {}, "1", flagged);
+  QApplication::sendEvent(&to, &down);
+}
+
+/// A busy machine reported the repetition as releases and presses, which drew three labels.
+TEST_F(Annotating, AHeldKeyDrawsOneLabelHoweverTheKeyboardRepeatsIt) {
+  ticker().seek(2);
+  ticker().toggle();
+  turn();
+  const auto play_on = [] {
+    const double here = ticker().playback().cursor_s;
+    ASSERT_TRUE(until([here] { return ticker().playback().cursor_s > here + 0.1; }));
+  };
+  QTest::keyPress(&timeline(), Qt::Key_1);
+  const double from = ticker().playback().cursor_s;
+  for (const bool flagged : {true, false, false, true}) {
+    play_on();
+    repeat(timeline(), flagged);
+  }
+  play_on();
+  bool pressed = false;
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  QTimer::singleShot(0, &timeline(), [&pressed] {
+    QTest::keyPress(&timeline(), Qt::Key_1);
+    pressed = true;
+  });
+  ASSERT_TRUE(until([&pressed] { return pressed; })) << "in another turn of the window";
+  play_on();
+  EXPECT_TRUE(labels().empty());
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  const double to = ticker().playback().cursor_s;
+  until([] { return !labels().empty(); });
+  ticker().pause();
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(labels()[0].start_s, from, 0.05);
+  EXPECT_NEAR(labels()[0].end_s, to, 0.05);
+}
+
+/// After a click into the scene a digit turned the camera and labelled nothing.
+TEST_F(Annotating, ValueKeysWorkWhereverTheFocusIsButInAField) {
+  widgets::SceneView& scene = window().scene();
+  QWidget* view = nullptr;
+  for (QWidget* child : scene.findChildren<QWidget*>())
+    if (!view && child->focusPolicy() == Qt::StrongFocus && child->isVisible()) view = child;
+  ASSERT_TRUE(view);
+  const double azimuth_rad = scene.camera().azimuth_rad;
+  QTreeView list(&window());
+  list.show();
+  double at_s = 1;
+  for (QWidget* place : {view, static_cast<QWidget*>(&list)}) {
+    empty();
+    ticker().seek(at_s += 1);
+    place->setFocus(Qt::MouseFocusReason);
+    turn();
+    QTest::keyClick(place, Qt::Key_2);
+    turn();
+    ASSERT_EQ(labels().size(), 1u) << place->metaObject()->className();
+    EXPECT_EQ(labels()[0].value, "two");
+    EXPECT_NEAR(labels()[0].start_s, at_s, 0.05);
+  }
+  EXPECT_EQ(scene.camera().azimuth_rad, azimuth_rad);
+  QLineEdit field(&window());
+  field.show();
+  field.setFocus();
+  QTest::keyClick(&field, Qt::Key_1);
+  turn();
+  EXPECT_EQ(field.text(), "1");
+  EXPECT_EQ(labels().size(), 1u);
+  EXPECT_EQ(labels()[0].value, "two");
 }
 
 TEST_F(Annotating, TappingEndsTheLastAndBeginsTheNext) {
@@ -471,6 +556,7 @@ TEST_F(Annotating, TheSessionItselfIsLabelledWhileItIsLive) {
   const double from = ticker().playback().cursor_s;
   until([from] { return ticker().playback().cursor_s > from + 0.4; });
   QTest::keyRelease(&timeline(), Qt::Key_1);
+  until([] { return !labels().empty(); });
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_EQ(labels()[0].value, tier().vocabulary.front().value);
   EXPECT_NEAR(labels()[0].start_s, from, 0.1);
@@ -498,6 +584,43 @@ TEST_F(Annotating, ThePanelListsTheLabelsAndTakesTypedTimes) {
   EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
   table.item(0, 0)->setText("soon");
   EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
+}
+
+/// In a window of the usual size the rows and "+ Value" were below the panel, and a refused name sounded as
+/// if it had been taken.
+TEST_F(Annotating, TheVocabularyIsInViewAndSaysBesideItWhyAnEditIsRefused) {
+  widgets::AnnotationPanel& panel = desk().panel();
+  window().panels().want("annotation", true);
+  turn();
+  const auto button = [&panel](const QString& words) {
+    for (auto* each : panel.findChildren<QToolButton*>())
+      if (each->text() == words) return each;
+    return static_cast<QToolButton*>(nullptr);
+  };
+  QTest::mouseClick(button("Vocabulary"), Qt::LeftButton);
+  turn();
+  QTableWidget* table = nullptr;
+  for (auto* each : panel.findChildren<QTableWidget*>())
+    if (each->accessibleName() == "Vocabulary") table = each;
+  ASSERT_TRUE(table);
+  EXPECT_EQ(button("+ Value")->visibleRegion().boundingRect(), button("+ Value")->rect());
+  const QRect last = table->visualItemRect(table->item(1, 2));
+  EXPECT_TRUE(table->viewport()->visibleRegion().contains(last.center()));
+  const auto says = [&panel](const QString& words) {
+    for (const auto* each : panel.findChildren<QLabel*>())
+      if (each->text() == words && !each->visibleRegion().isEmpty()) return true;
+    return false;
+  };
+  table->item(1, 2)->setText("one");
+  turn();
+  const QString used = "Not changed: 'one' is already a value; choose another word";
+  EXPECT_TRUE(says(used));
+  EXPECT_EQ(window().messages().text(), used);
+  EXPECT_EQ(table->item(1, 2)->text(), "two");
+  table->item(1, 0)->setText("1");
+  turn();
+  EXPECT_TRUE(says("Not changed: the key 1 is already that of 'one'; choose another key for 'two'"));
+  EXPECT_EQ(tier().entry("two")->key, '2');
 }
 
 TEST_F(Annotating, ALabelIsCompletedWhileItIsTypedInThePanel) {

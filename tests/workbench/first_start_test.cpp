@@ -85,6 +85,48 @@ TEST_F(FirstStart, TheRoomForLabelsGoesWithTheirLanes) {
   EXPECT_GE(settings_in_view(), 5);
 }
 
+/// Two lanes were in view, and the panels needed all the rest: the border could not be moved.
+TEST_F(FirstStart, ThreeLanesAreInViewAt1100x640AndTheirBorderCanBeDragged) {
+  start({1100, 640});
+  const auto lanes_in_view = [] {
+    const widgets::TimelineLanes& lanes = window().timeline().lanes();
+    std::size_t count = 0;
+    while (count < 8 && widgets::first_lanes_px(lanes, count + 1) <= window().timeline().height()) ++count;
+    return count;
+  };
+  EXPECT_GE(lanes_in_view(), 3U);
+  for (const bool with_takes : {false, true}) {
+    window().panels().want("recording", with_takes);
+    QTest::qWait(80);
+    EXPECT_GE(lanes_in_view(), 3U);
+    const int before = split().sizes().back();
+    drag_border(-20);
+    EXPECT_GT(split().sizes().back(), before) << (with_takes ? "with the takes" : "");
+    drag_border(20);
+    split().choose({});
+  }
+}
+
+/// Only Source and Markers were in view, and the tier that is annotated was not.
+TEST_F(FirstStart, TheTierThatIsAnnotatedIsInViewInASmallWindow) {
+  start({1600, 1000});
+  window().findChild<AnnotationDesk*>()->showSubject(
+      window().session()->material().library->takes().front().name);
+  const AnnotationTier& move = *window().document().annotations().first_of(TierKind::Move);
+  window().document().chooseTier(move.id);
+  const widgets::TimelineLanes& lanes = window().timeline().lanes();
+  for (const QSize size : {QSize(1100, 640), QSize(640, 400), QSize(1100, 640)}) {
+    window().resize(size);
+    QTest::qWait(80);
+    EXPECT_GE(lanes.top_of_tier(move.id), lanes.top_px()) << size.width();
+    EXPECT_LE(lanes.top_of_tier(move.id) + widgets::TimelineLanes::tier_px, lanes.bottom_px())
+        << size.width();
+  }
+  const AnnotationTier& note = *window().document().annotations().first_of(TierKind::Note);
+  window().document().chooseTier(note.id);
+  EXPECT_LE(lanes.top_of_tier(note.id) + widgets::TimelineLanes::tier_px, lanes.bottom_px());
+}
+
 /// The legend lay over the heads while the welcome page was beside the scene.
 TEST_F(FirstStart, ThePairIsBetweenTheControlsOfTheSceneBesideTheWelcomePage) {
   start({1280, 720});

@@ -113,7 +113,7 @@ class OneWindow : public testing::Environment {
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication::setQuitOnLastWindowClosed(false);
     qputenv("ABRAZO_HOME", m_home.path().toUtf8());
-    qputenv("HOME", m_home.path().toUtf8());  // no folder of pictures: they go to the other
+    qputenv("HOME", m_home.path().toUtf8());
     m_remembered = std::make_unique<UserSettings>();
     window = new MainWindow(*m_remembered);
     window->setTheme(widgets::Theme::Dark);

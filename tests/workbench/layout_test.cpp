@@ -26,6 +26,7 @@
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/settings_panel.hpp"
+#include "widgets/takes/take_panel.hpp"
 
 namespace abrazo::app::layout_test {
 namespace {
@@ -421,7 +422,10 @@ std::string drawn_over_another(const PanelArea& area) {
 /// The settings had no title and presets below the video, the library had none below the recording: the
 /// tallest panel of a shared place, and those at the left, were not counted.
 TEST_F(Layout, NoPanelIsDrawnOverAnotherInASmallWindow) {
-  for (const QSize size : {QSize(1280, 720), QSize(1280, 700)}) {
+  RecordedTakes takes;
+  for (const std::int64_t id : {1, 2, 3}) takes.put({id, "take", 0, 1, 60, {}});
+  window().findChild<widgets::TakePanel*>()->setTakes(takes);
+  for (const QSize size : {QSize(1280, 720), QSize(1280, 700), QSize(1100, 640)}) {
     window().resize(size);
     for (const char* opened : {"video", "recording", "connection"}) {
       area().want(opened, true);
@@ -431,6 +435,7 @@ TEST_F(Layout, NoPanelIsDrawnOverAnotherInASmallWindow) {
     }
     for (const char* opened : {"video", "recording", "connection"}) area().want(opened, false);
   }
+  window().findChild<widgets::TakePanel*>()->setTakes({});
 }
 
 /// The view menu had a second column, and covered the whole window.

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -16,6 +17,7 @@
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/entry_frame.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/plot_panel.hpp"
@@ -124,6 +126,7 @@ TEST_F(CuttingPlane, IsDraggedAlongItsNormalByItsShaftAndUndoTakesItBack) {
   EXPECT_FALSE(selection()) << "nor a click";
   EXPECT_NEAR(QLineF(shaft(), from + along).length(), 0, 3) << "what was held stays under the pointer";
   EXPECT_EQ(window().undoStack().count(), 1) << "one drag is one step";
+  EXPECT_EQ(window().undoStack().undoText(), "move cutting plane") << "the history says which change it was";
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(scene().options().has_cut_of(m_before));
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -325,6 +328,35 @@ TEST_F(SceneKeys, AMessageMovesNoButtonOfTheSceneAndCoversNone) {
     turn();
     EXPECT_FALSE(bar.isVisible());
   }
+}
+
+/// Escape did nothing there, and neither "legend" nor "colour map" was found among the commands.
+TEST_F(SceneKeys, EscapeEmptiesTheFieldThatFindsPartsAndThenLeavesIt) {
+  auto* field = window().sceneTree().findChild<QLineEdit*>();
+  window().selection().select(Selection::joint(0));
+  field->setFocus();
+  QTest::keyClicks(field, "elbow");
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_EQ(field->text(), QString());
+  EXPECT_TRUE(field->hasFocus());
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_FALSE(field->hasFocus());
+  EXPECT_EQ(selection(), Selection::joint(0)) << "it is not the Escape of the scene";
+}
+
+TEST_F(SceneKeys, TheRangeAndTheMapOfTheLegendAreCommands) {
+  action("Colour map cividis")->trigger();
+  EXPECT_EQ(scene().options().map, widgets::ColourMap::Cividis);
+  action("Logarithmic colours")->trigger();
+  EXPECT_TRUE(scene().options().is_logarithmic);
+  action("Logarithmic colours")->trigger();
+  action("Colour map viridis")->trigger();
+  EXPECT_EQ(scene().options().map, widgets::ColourMap::Viridis);
+  action("Set the range of the legend…")->trigger();
+  auto* entry = window().findChild<widgets::EntryFrame*>();
+  ASSERT_TRUE(entry);
+  EXPECT_TRUE(entry->isVisible());
+  QTest::keyClick(entry->findChild<QLineEdit*>(), Qt::Key_Escape);
 }
 
 TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {

@@ -232,6 +232,19 @@ TEST_F(Shell, AnErrorComesBackAfterWhatLeavesByItself) {
   EXPECT_FALSE(log->text().contains("Opening"));
 }
 
+/// It opened at the oldest, and what was just told was below.
+TEST_F(Shell, TheMessagesOpenAtTheNewest) {
+  window().panels().want("messages", false);
+  for (int n = 0; n < 60; ++n) window().messages().showInformation(QString("message %1").arg(n));
+  action("Messages")->trigger();
+  auto* list = window().findChild<widgets::MessageLog*>()->findChild<QListWidget*>();
+  EXPECT_TRUE(until([list] {
+    const QRect last = list->visualItemRect(list->item(list->count() - 1));
+    return !last.isEmpty() && list->viewport()->rect().contains(last.center());
+  }));
+  window().panels().want("messages", false);
+}
+
 TEST_F(Shell, ARefusedSettingIsNamedAsInThePanelAndItsErrorLeavesWithTheNextValue) {
   widgets::MessageBar& bar = window().messages();
   const auto before = bar.openErrors().size();

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
@@ -57,14 +58,14 @@ class LabelDelegate : public QStyledItemDelegate {
 AnnotationPanel::AnnotationPanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   // A low panel scrolls: it never takes room from panels above and below.
   auto* all = column_in(this);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* inside = new QWidget(scroll);
+  m_scroll = new QScrollArea(this);
+  m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setWidgetResizable(true);
+  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* inside = new QWidget(m_scroll);
   inside->setObjectName("panel");
-  scroll->setWidget(inside);
-  all->addWidget(scroll);
+  m_scroll->setWidget(inside);
+  all->addWidget(m_scroll);
   m_column = column_in(inside, {12, 4, 12, 10}, 8);
   m_column->addWidget(makeSubject());
   m_tiers = new TierList(this);
@@ -158,7 +159,7 @@ void AnnotationPanel::connectParts() {
   connect(m_back, &QToolButton::clicked, this, [this] { emit subjectRequested({}); });
   connect(m_conflict, &QButtonGroup::idClicked, this,
           [this](int way) { emit conflictRequested(static_cast<Conflict>(way)); });
-  connect(m_lists, &QButtonGroup::idClicked, m_stack, &QStackedWidget::setCurrentIndex);
+  connect(m_lists, &QButtonGroup::idClicked, this, &AnnotationPanel::showList);
   connect(m_tiers, &TierList::tierChosen, this, &AnnotationPanel::tierChosen);
   connect(m_tiers, &TierList::changeRequested, this, &AnnotationPanel::changeRequested);
   connect(m_tiers, &TierList::refused, this, &AnnotationPanel::refused);
@@ -174,6 +175,15 @@ void AnnotationPanel::connectParts() {
   });
   connect(m_table, &QTableWidget::itemChanged, this, &AnnotationPanel::edited);
   connect(m_table, &QTableWidget::itemSelectionChanged, this, &AnnotationPanel::chooseRow);
+}
+
+/// In a low panel its top would be all that is seen of it.
+void AnnotationPanel::showList(int list) {
+  m_stack->setCurrentIndex(list);
+  const int bottom = m_stack->mapTo(m_scroll->viewport(), QPoint(0, m_stack->height())).y();
+  if (bottom <= m_scroll->viewport()->height()) return;
+  const QWidget* box = m_stack->parentWidget();
+  m_scroll->verticalScrollBar()->setValue(box->mapTo(m_scroll->widget(), QPoint()).y());
 }
 
 void AnnotationPanel::addSection(QWidget* section) {

@@ -11,6 +11,7 @@
 class QButtonGroup;
 class QComboBox;
 class QLabel;
+class QScrollArea;
 class QStackedWidget;
 class QTableWidget;
 class QTableWidgetItem;
@@ -74,6 +75,7 @@ class AnnotationPanel : public QWidget {
   QWidget* makeConflict();
   QWidget* makeLists();
   void connectParts();
+  void showList(int list);
   void fillTable();
   void fillRow(int row, const AnnotationTier& tier, const Annotation& annotation);
   QStringList values() const;
@@ -88,6 +90,7 @@ class AnnotationPanel : public QWidget {
   QToolButton* m_back = nullptr;
   TierList* m_tiers = nullptr;
   QButtonGroup *m_conflict = nullptr, *m_lists = nullptr;
+  QScrollArea* m_scroll = nullptr;
   QStackedWidget* m_stack = nullptr;
   QTableWidget* m_table = nullptr;
   QLabel* m_coverage = nullptr;

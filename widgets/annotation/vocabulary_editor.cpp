@@ -49,9 +49,10 @@ VocabularyEditor::VocabularyEditor(QWidget* parent)
   m_down = chip("↓", "Move the value down", this);
   for (QToolButton* each : {more, m_remove, m_up, m_down}) row->addWidget(each);
   row->addStretch(1);
-  column->addWidget(m_table, 1);
-  column->addWidget(m_hint);
+  // Above the table, which is taller than what is seen of a low panel.
   column->addLayout(row);
+  column->addWidget(m_hint);
+  column->addWidget(m_table, 1);
   connect(more, &QToolButton::clicked, this, &VocabularyEditor::add);
   connect(m_remove, &QToolButton::clicked, this, &VocabularyEditor::remove);
   connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
@@ -106,13 +107,18 @@ void VocabularyEditor::fill() {
   m_filling = false;
 }
 
+/// Beside the table, too: a person who types there does not look at the scene.
+void VocabularyEditor::refuse(const QString& why) {
+  fill();
+  const QString words = "Not changed: " + why;
+  m_hint->setText(words);
+  emit refused(words);
+}
+
 void VocabularyEditor::settle(std::vector<VocabularyEntry> vocabulary, const QString& what) {
   Annotations next = m_annotations;
   const Status done = next.set_vocabulary(m_tier, std::move(vocabulary));
-  if (!done) {
-    fill();
-    return emit refused(text(done.error().text()));
-  }
+  if (!done) return refuse(text(done.error().message));
   emit changeRequested(next, what);
 }
 
@@ -123,10 +129,7 @@ void VocabularyEditor::rename(std::size_t row, const std::string& value) {
   const std::string before = entries[row].value;
   entries[row].value = value;
   const Status done = next.set_vocabulary(m_tier, std::move(entries));
-  if (!done) {
-    fill();
-    return emit refused(text(done.error().text()));
-  }
+  if (!done) return refuse(text(done.error().message));
   const auto labels = next.tier(m_tier)->annotations;
   for (const Annotation& each : labels)
     if (each.value == before) (void)next.say(each.id, with_value(each, value));
@@ -143,10 +146,7 @@ void VocabularyEditor::edited(QTableWidgetItem* item) {
   if (item->column() == Key) {
     const bool one = typed.isEmpty() || (typed.size() == 1 && typed.at(0).isLetterOrNumber() &&
                                          typed.at(0).unicode() < 128 && typed.at(0) != '0');
-    if (!one) {
-      fill();
-      return emit refused("A key is one digit from 1 to 9 or one letter");
-    }
+    if (!one) return refuse("a key is one digit from 1 to 9 or one letter");
     entries[row].key = typed.isEmpty() ? '\0' : typed.at(0).toLower().toLatin1();
     return settle(std::move(entries), "key of a value");
   }

@@ -33,6 +33,7 @@ class VocabularyEditor : public QWidget {
   void add();
   void remove();
   void move(int by);
+  void refuse(const QString& why);
   void settle(std::vector<VocabularyEntry> vocabulary, const QString& what);
   void rename(std::size_t row, const std::string& value);
   std::vector<VocabularyEntry> vocabulary() const;

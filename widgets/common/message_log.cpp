@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTime>
+#include <QTimer>
 
 #include "widgets/common/icons.hpp"
 #include "widgets/common/parts.hpp"
@@ -63,6 +64,12 @@ void MessageLog::add(MessageKind kind, const QString& text) {
   paint(m_list->count() - 1);
   if (m_list->count() > most_messages) delete m_list->takeItem(0);
   m_list->scrollToBottom();
+}
+
+/// Lines that were added while it was hidden have their heights only with the next layout.
+void MessageLog::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QTimer::singleShot(0, m_list, &QListWidget::scrollToBottom);
 }
 
 QString MessageLog::text() const {

@@ -20,6 +20,10 @@ class MessageLog : public QWidget {
  public slots:
   void add(abrazo::widgets::MessageKind kind, const QString& text);
 
+ protected:
+  /// Opens at the newest.
+  void showEvent(QShowEvent* event) override;
+
  private:
   void paint(int row);
 

@@ -1,11 +1,38 @@
 #include "widgets/common/parts.hpp"
 
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QTableView>
 
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
+namespace {
+
+class EscapeOfField : public QObject {
+ public:
+  EscapeOfField(QLineEdit& field, QWidget& list) : QObject(&field), m_field(field), m_list(list) {
+    field.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool is_key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (!is_key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+      return QObject::eventFilter(watched, event);
+    event->accept();  // before the window's own Escape
+    if (event->type() == QEvent::ShortcutOverride) return true;
+    m_field.text().isEmpty() ? m_list.setFocus(Qt::OtherFocusReason) : m_field.clear();
+    return true;
+  }
+
+ private:
+  QLineEdit& m_field;
+  QWidget& m_list;
+};
+
+}  // namespace
 
 QLabel* quiet_label(const QString& text, QWidget* parent, int px) {
   auto* label = new QLabel(text, parent);
@@ -17,6 +44,10 @@ QLabel* quiet_label(const QString& text, QWidget* parent, int px) {
 void describe(QWidget& widget, const QString& name, const QString& tip) {
   widget.setAccessibleName(name);
   widget.setToolTip(tip);
+}
+
+void leave_by_escape(QLineEdit& field, QWidget& list) {
+  new EscapeOfField(field, list);
 }
 
 void make_rows(QTableView& table, int row_px) {

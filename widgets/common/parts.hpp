@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMargins>
 
+class QLineEdit;
 class QTableView;
 
 namespace abrazo::widgets {
@@ -34,6 +35,9 @@ QLabel* quiet_label(const QString& text, QWidget* parent = nullptr, int px = 0);
 
 /// Names a widget for assistive technology, and explains it to all.
 void describe(QWidget& widget, const QString& name, const QString& tip);
+
+/// Of a field that finds something: Escape empties it, and once more goes to the list of what was found.
+void leave_by_escape(QLineEdit& field, QWidget& list);
 
 /// Rows of this height without grid and numbers, chosen one at a time.
 void make_rows(QTableView& table, int row_px);

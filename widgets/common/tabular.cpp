@@ -112,6 +112,11 @@ void TabularLabel::setText(const QString& text) {
   update();
 }
 
+void TabularLabel::fit() {
+  m_widest = static_cast<int>(std::ceil(tabular_width(font(), m_text))) + 2;
+  updateGeometry();
+}
+
 void TabularLabel::setColour(const QColor& colour) {
   if (colour == m_colour) return;
   m_colour = colour;

@@ -13,13 +13,15 @@ double tabular_width(const QFont& font, const QString& text);
 /// Draws such a text into a rectangle, vertically centred, in the painter's font and pen.
 void draw_tabular(QPainter& painter, const QRectF& rect, Qt::Alignment alignment, const QString& text);
 
-/// A changing number. Its size hint only grows, so the layout stays stable.
+/// A changing number. Its size hint only grows until `fit`, so the layout stays stable.
 class TabularLabel : public QWidget {
   Q_OBJECT
  public:
   explicit TabularLabel(QWidget* parent = nullptr);
   void setText(const QString& text);
   const QString& text() const { return m_text; }
+  /// As wide as the present text.
+  void fit();
   void setColour(const QColor& colour);
   void setAlignment(Qt::Alignment alignment) { m_alignment = alignment; }
   QSize sizeHint() const override;

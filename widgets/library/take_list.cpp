@@ -60,6 +60,7 @@ TakeList::TakeList(QWidget* parent)
   column->addWidget(makeFoot());
   m_playing.setInterval(play_interval_ms);
   setFocusProxy(m_view);
+  leave_by_escape(*m_find, *m_view);
   connectParts();
   showFoot();
 }

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -14,6 +15,7 @@
 #include "widgets/common/icons.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/takes/take_rows.hpp"
@@ -38,16 +40,24 @@ QIcon mark(bool records, const QColor& colour) {
 TakePanel::TakePanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  auto* column = column_in(this, {0, 4, 0, 0}, 0);
-  column->addWidget(makeHead());
+  auto* content = new QWidget(this);
+  auto* column = column_in(content, {0, 4, 0, 0}, 0);
+  QWidget* head = makeHead();
+  column->addWidget(head);
   column->addWidget(makeDisk());
-  m_none = quiet_label("No takes yet. Ctrl+R records one.", this, 12);
+  m_none = quiet_label("No takes yet. Ctrl+R records one.", content, 12);
   m_none->setContentsMargins(12, 8, 12, 8);
   m_none->setWordWrap(true);
-  m_rows = new TakeRows(this);
+  m_rows = new TakeRows(content);
   column->addWidget(m_none);
   column->addWidget(m_rows, 1);
   column->addStretch(0);
+  // In a low window the panels above and below need their height, too: the button stays in view.
+  auto* scroll = new QScrollArea(this);
+  scroll_vertically(*scroll, content);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setMinimumHeight(head->minimumSizeHint().height());
+  column_in(this, {}, 0)->addWidget(scroll);
   connectParts();
   showStatus({});
   showNext();

@@ -60,25 +60,25 @@ class TimelineLanes {
   }
   void set_shown(TimelineLane lane, bool on) {
     shown_[static_cast<std::size_t>(lane)] = on;
-    scroll_to(asked_scroll_px_);
+    settle();
   }
   /// While a take of the library is shown, lanes without content for it are hidden.
   void set_of_take(bool on) {
     of_take_ = on;
-    scroll_to(asked_scroll_px_);
+    settle();
   }
   bool is_of_take() const { return of_take_; }
 
   const std::vector<TierLane>& tiers() const { return tiers_; }
   void set_tiers(std::vector<TierLane> tiers) {
     tiers_ = std::move(tiers);
-    scroll_to(asked_scroll_px_);
+    settle();
   }
   /// Hiding is by name: it also applies in other subjects and after the tier returns.
   bool is_shown(const TierLane& lane) const { return !hidden_.contains(lane.name); }
   void set_tier_shown(const std::string& name, bool on) {
     on ? void(hidden_.erase(name)) : void(hidden_.insert(name));
-    scroll_to(asked_scroll_px_);
+    settle();
   }
 
   /// Height of all shown lanes.
@@ -88,7 +88,7 @@ class TimelineLanes {
 
   void set_height(double height_px) {
     height_px_ = height_px;
-    scroll_to(asked_scroll_px_);
+    settle();
   }
   double top_px() const { return ruler_px + gap_px; }
   double bottom_px() const { return std::max(top_px(), height_px_ - overview_px); }
@@ -102,14 +102,17 @@ class TimelineLanes {
   /// The exact place that was asked for, from which a wheel of small steps goes on.
   double asked_scroll_px() const { return asked_scroll_px_; }
   void scroll_to(double px) {
-    asked_scroll_px_ = std::clamp(px, 0.0, most_scroll_px());
-    scroll_px_ = edge_near(asked_scroll_px_);
+    kept_tier_ = 0;
+    place(px);
   }
-  /// Scrolls until a tier's lane is fully visible.
+  /// Scrolls until a lane is fully visible; no effect on one that is not shown.
+  void reveal(TimelineLane lane) {
+    if (is_shown(lane)) bring(top_of(lane), info_of(lane).height_px);
+  }
+  /// The lane of a tier stays fully visible in every height, until it is scrolled away. @param tier  0 = none
   void reveal(int tier) {
-    const double top = top_of_tier(tier);
-    if (top < top_px()) scroll_to(scroll_px_ - (top_px() - top));
-    if (top + tier_px > bottom_px()) scroll_to(edge_from(scroll_px_ + top + tier_px - bottom_px()));
+    kept_tier_ = tier;
+    keep_tier();
   }
 
   /// Top of a lane; may be outside [top_px, bottom_px].
@@ -167,7 +170,7 @@ class TimelineLanes {
       hidden_.insert(from_list(names.substr(bar + 1, length)));
       bar = next;
     }
-    scroll_to(asked_scroll_px_);
+    settle();
   }
 
  private:
@@ -185,6 +188,25 @@ class TimelineLanes {
       if (is_spelled) listed.remove_prefix(2);
     }
     return name;
+  }
+
+  void place(double px) {
+    asked_scroll_px_ = std::clamp(px, 0.0, most_scroll_px());
+    scroll_px_ = edge_near(asked_scroll_px_);
+  }
+  /// After another height or other lanes.
+  void settle() {
+    place(asked_scroll_px_);
+    keep_tier();
+  }
+  void keep_tier() {
+    for (const TierLane& lane : tiers_)
+      if (lane.tier == kept_tier_ && is_shown(lane)) bring(top_of_tier(lane.tier), tier_px);
+  }
+  void bring(double top, double height) {
+    const double bottom = top + height;
+    if (top < top_px()) place(scroll_px_ - (top_px() - top));
+    if (bottom > bottom_px()) place(edge_from(scroll_px_ + bottom - bottom_px()));
   }
 
   /// Calls `visit(top)` with the top of each shown lane, from the first one's, 0.
@@ -239,6 +261,7 @@ class TimelineLanes {
   std::set<std::string> hidden_;
   double height_px_ = 200;
   double scroll_px_ = 0, asked_scroll_px_ = 0;
+  int kept_tier_ = 0;  ///< id of the tier that stays in view; 0 = none
 };
 
 }  // namespace abrazo::widgets

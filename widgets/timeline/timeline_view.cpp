@@ -142,7 +142,14 @@ void TimelineView::selectMarker(int id) {
 
 void TimelineView::showTakes(std::vector<TimelineTake> takes) {
   if (takes == m_content.takes) return;
+  const auto is_recorded = [](const TimelineTake& take) { return take.is_running; };
+  const bool begins =
+      std::ranges::any_of(takes, is_recorded) && std::ranges::none_of(m_content.takes, is_recorded);
   m_content.takes = std::move(takes);
+  if (begins) {
+    m_content.lanes.reveal(TimelineLane::Takes);
+    arrangeScroll();
+  }
   redraw();
 }
 

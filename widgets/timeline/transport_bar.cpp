@@ -28,11 +28,18 @@ constexpr int shortest_input_px = 120;  ///< a name that is shortened more says 
 
 }  // namespace
 
-/// In one line; what does not fit is left out in its middle, so that name and rate are both seen.
+/// In one line; what does not fit is left out in its middle, so that name and rate are both seen. Before that
+/// it leaves out that the sender is this machine.
 class InputLabel : public QLabel {
  public:
   using QLabel::QLabel;
-  QString drawn() const { return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width()); }
+  QString drawn() const {
+    const int room = contentsRect().width();
+    QString words = text();
+    if (fontMetrics().horizontalAdvance(words) > room)
+      words.remove(" at this machine").remove(" from this machine");
+    return fontMetrics().elidedText(words, Qt::ElideMiddle, room);
+  }
   QSize minimumSizeHint() const override { return {1, QLabel::minimumSizeHint().height()}; }
 
  protected:
@@ -76,10 +83,8 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_role->hide();
   m_livePin = button("Lift the pin of the live partner",
                      "You pinned a pair: the live partner uses it until you unpin it here");
-  m_livePin->setText("live: pinned by you ✕");
   m_triedPin = button("Pin the live partner, too",
                       "Tried on the parked frame only: the live partner is not pinned. Click to pin it, too");
-  m_triedPin->setText("what if: pinned · apply to live");
   for (QToolButton* pin : {m_livePin, m_triedPin}) {
     pin->setFocusPolicy(Qt::TabFocus);
     pin->hide();
@@ -90,6 +95,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_input->setObjectName("secondary");
   m_input->setTextFormat(Qt::PlainText);
   arrange();
+  writePins();
   connect(m_start, &QToolButton::clicked, this, &TransportBar::startRequested);
   connect(m_back, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
   connect(m_play, &QToolButton::clicked, this, &TransportBar::toggleRequested);
@@ -261,11 +267,21 @@ void TransportBar::setFormat(TimeFormat format) {
 }
 
 void TransportBar::showRecording(const QString& words) {
-  const QString text = words.isEmpty() ? QString() : "● REC  " + words;
-  if (text == m_recording->text()) return;
-  m_recording->setText(text);
-  m_recording->setVisible(!text.isEmpty());
+  if (words == m_recorded) return;
+  m_recorded = words;
+  writeRecording();
+  m_recording->setVisible(!words.isEmpty());
   makeRoom();
+}
+
+/// "salsa 003 · 00:35", the time alone, or only that it runs.
+void TransportBar::writeRecording() {
+  const QString whole = "● REC  " + m_recorded;
+  m_recording->setToolTip(plain_tip(whole));
+  m_recording->setText(m_recorded.isEmpty()         ? QString()
+                       : m_room < Room::ShortWords  ? whole
+                       : m_room == Room::ShortWords ? "● REC  " + m_recorded.section(" · ", -1)
+                                                    : QString("● REC"));
 }
 
 void TransportBar::showHeld(bool on) {
@@ -283,15 +299,20 @@ void TransportBar::showUserInput(UserInput from) {
   showState();
 }
 
-/// Who looks at an earlier frame does not see that the input is still answered.
 void TransportBar::showLive() {
+  writeLive();
+  makeRoom();
+}
+
+/// Who looks at an earlier frame does not see that the input is still answered.
+void TransportBar::writeLive() {
   const bool comes = m_userInput != UserInput::None;
   const bool goes_on = !m_isHeld && comes && m_shown.state != Playback::State::Following;
-  const QString what = m_isHeld                           ? "HELD"
+  const QString word = m_isHeld                           ? "HELD"
                        : m_userInput == UserInput::Stream ? "LIVE"
                        : m_userInput == UserInput::Clip   ? "CLIP"
                                                           : "NEWEST";
-  m_live->setText(what + (goes_on ? " goes on" : "") + "  End");
+  m_live->setText(m_room >= Room::ShortWords ? word : word + (goes_on ? " goes on  End" : "  End"));
   const QString how = m_userInput == UserInput::Clip
                           ? "Solve > Hold the input still (Ctrl+Space) holds the clip"
                           : "A stream cannot be held; Live > Disconnect ends it";
@@ -302,22 +323,28 @@ void TransportBar::showLive() {
                       how
       : comes ? "Follow the live end (End)"
               : "To the newest frame (End). Nothing comes in");
-  makeRoom();
 }
 
 void TransportBar::showRole(bool user_is_active, const QString& by) {
+  const bool is_new = user_is_active != m_userIsActive || by != m_roleBy || m_role->text().isEmpty();
   m_userIsActive = user_is_active;
+  m_roleBy = by;
   if (m_isOfTake) return;  // a take has no user
-  const QString role = user_is_active ? "leads" : "follows";
-  const QString text = "user " + role + (by.isEmpty() ? QString() : " · " + by) + " ▾";
-  if (text == m_role->text() && !m_role->isHidden()) return;
-  m_role->setText(text);
-  describe(*m_role, "Role of the user: " + role,
-           user_is_active ? "The user leads, the partner follows (U switches)"
-                          : "The user follows, the partner leads (U switches)");
+  if (!is_new && !m_role->isHidden()) return;
+  writeRole();
   m_role->show();
   dressRole();
   makeRoom();
+}
+
+void TransportBar::writeRole() {
+  const QString role = m_userIsActive ? "leads" : "follows";
+  const QString by = m_roleBy.isEmpty() ? QString() : " · " + m_roleBy;
+  m_role->setText((m_room >= Room::ShortestWords ? role : "user " + role) +
+                  (m_room < Room::ShortWords ? by : QString()) + " ▾");
+  describe(*m_role, "Role of the user: " + role,
+           (m_userIsActive ? "The user leads, the partner follows" : "The user follows, the partner leads") +
+               by + " (U switches)");
 }
 
 /// The colour of the character that the user is; the partner leads in dashes.
@@ -337,6 +364,14 @@ void TransportBar::showPins(bool live, bool tried) {
   makeRoom();
 }
 
+void TransportBar::writePins() {
+  const bool is_short = m_room == Room::ShortWords, is_shortest = m_room >= Room::ShortestWords;
+  m_livePin->setText(is_shortest ? "pinned ✕" : is_short ? "live: pinned ✕" : "live: pinned by you ✕");
+  m_triedPin->setText(is_shortest ? "what if"
+                      : is_short  ? "what if: pinned"
+                                  : "what if: pinned · apply to live");
+}
+
 void TransportBar::setRoleMenu(QMenu* menu) {
   m_role->setMenu(menu);
 }
@@ -353,21 +388,42 @@ QString TransportBar::roleText() const {
   return m_role->isHidden() ? QString() : m_role->text();
 }
 
-/// Rather nothing than a name that nobody can read.
+/// Leaves out as little as there is room for.
 void TransportBar::makeRoom() {
-  int others_px = 570;
-  if (!m_isOfTake) others_px += m_live->sizeHint().width() + 12;
-  for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role),
-                              static_cast<QWidget*>(m_livePin), static_cast<QWidget*>(m_triedPin)})
-    if (!part->isHidden()) others_px += part->sizeHint().width() + 12;
-  m_input->setVisible(width() >= others_px + std::min(m_input->sizeHint().width(), shortest_input_px));
-  // Both are in the menus and on the ruler as well.
+  if (!m_isPlaced) return;
+  for (const Room room :
+       {Room::All, Room::NoInput, Room::NoFrame, Room::ShortWords, Room::ShortestWords, Room::FewParts}) {
+    leaveOut(room);
+    if (leastWidth() <= width()) return;
+  }
+}
+
+/// Frame, loop and speed are in the menus as well, and the steps and ends have keys.
+void TransportBar::leaveOut(Room room) {
+  m_room = room;
+  m_input->setVisible(room == Room::All);
   for (QWidget* part : {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_loop)})
-    part->setVisible(width() >= others_px);
+    part->setVisible(room <= Room::NoInput);
+  for (QWidget* part : {m_start, m_back, m_forward, m_end}) part->setVisible(room < Room::FewParts);
+  m_speed->setVisible(room < Room::FewParts || m_shown.speed != 1);
+  writeLive();
+  writeState();
+  m_state->fit();
+  writeRole();
+  writePins();
+  writeRecording();
+}
+
+/// Rather nothing of the input than a name that nobody can read.
+int TransportBar::leastWidth() const {
+  layout()->invalidate();
+  const int input_px = std::min(m_input->sizeHint().width(), shortest_input_px);
+  return layout()->minimumSize().width() + (m_input->isHidden() ? 0 : input_px);
 }
 
 void TransportBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  m_isPlaced = true;
   makeRoom();
 }
 
@@ -426,8 +482,16 @@ void TransportBar::showTime() {
 }
 
 void TransportBar::showState() {
-  const QString behind =
-      m_isOfTake ? QString() : QString(" −%1 s").arg(std::max(0.0, m_shown.behind_live_s()), 0, 'f', 1);
+  const int before = m_state->sizeHint().width();
+  writeState();
+  if (m_state->sizeHint().width() != before) makeRoom();
+}
+
+void TransportBar::writeState() {
+  const QString late = QString(" −%1 s").arg(std::max(0.0, m_shown.behind_live_s()), 0, 'f', 1);
+  const bool is_late = !m_isOfTake && m_shown.state != Playback::State::Following;
+  const QString behind = is_late && m_room < Room::ShortWords ? late : QString();
+  m_state->setToolTip(is_late ? "Behind the live end:" + late : QString());
   switch (m_shown.state) {
     case Playback::State::Parked:
       m_state->setText("PARKED" + behind);
@@ -463,7 +527,9 @@ void TransportBar::showSpeed() {
   const QString text = (m_shown.speed < 0 ? "−" : "") + speed_number(asked) +
                        (differs ? QString(" (is %1)").arg(m_achieved, 0, 'f', 2) : QString()) +
                        (m_shown.every_frame ? " every frame" : "");
-  if (text != m_speed->text()) m_speed->setText(text);
+  if (text == m_speed->text()) return;
+  m_speed->setText(text);
+  makeRoom();
 }
 
 }  // namespace abrazo::widgets

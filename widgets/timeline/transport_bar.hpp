@@ -18,7 +18,8 @@ namespace abrazo::widgets {
 class InputLabel;
 class TabularLabel;
 
-/// Play, step, time, state, speed, loop. Emits requests; shows what it is given.
+/// Play, step, time, state, speed, loop. Emits requests; shows what it is given. In a narrow bar it leaves
+/// out parts and words, which the tooltips have; it cuts none.
 class TransportBar : public QWidget {
   Q_OBJECT
  public:
@@ -81,6 +82,9 @@ class TransportBar : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// How much is left out.
+  enum class Room { All, NoInput, NoFrame, ShortWords, ShortestWords, FewParts };
+
   QToolButton* button(const QString& name, const QString& tip);
   void makeSpeeds();
   void makeRepeats();
@@ -88,9 +92,16 @@ class TransportBar : public QWidget {
   void arrange();
   void dress();
   void makeRoom();
+  void leaveOut(Room room);
+  int leastWidth() const;
   void showTime();
   void showLive();
+  void writeLive();
   void showState();
+  void writeState();
+  void writeRole();
+  void writePins();
+  void writeRecording();
   void showSpeed();
   void dressRole();
 
@@ -106,6 +117,9 @@ class TransportBar : public QWidget {
   bool m_userIsActive = true, m_isHeld = false;
   UserInput m_userInput = UserInput::None;
   bool m_isOfTake = false;
+  bool m_isPlaced = false;  ///< has the width of the window
+  Room m_room = Room::All;
+  QString m_roleBy, m_recorded;
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;
   QPushButton* m_live;

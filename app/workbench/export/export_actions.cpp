@@ -52,9 +52,11 @@ bool may_replace(ExportDialog& dialog, const ExportRequest& request, const QStri
   QStringList replaced;
   for (const std::string& each : wish.files())
     if (const QFileInfo info(QString::fromStdString(each)); info.exists()) replaced << info.fileName();
-  return replaced.isEmpty() ||
-         QMessageBox::question(&dialog, "Export", "Replace " + replaced.join(", ") + "?",
-                               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+  if (replaced.isEmpty()) return true;
+  QMessageBox box(QMessageBox::NoIcon, "Export", "Replace " + replaced.join(", ") + "?",
+                  QMessageBox::Yes | QMessageBox::No, &dialog);
+  box.setDefaultButton(QMessageBox::No);
+  return box.exec() == QMessageBox::Yes;
 }
 
 void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {

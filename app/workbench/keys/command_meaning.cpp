@@ -7,7 +7,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr std::array<CommandWords, 34> other_words = {{
+constexpr std::array<CommandWords, 36> other_words = {{
     {"annotation.export_labels",
      "export eaf elan csv json vtt srt subtitles annotations roles moves file save write"},
     {"annotation.import_labels",
@@ -43,6 +43,8 @@ constexpr std::array<CommandWords, 34> other_words = {{
     {"view_selection.figures_of_the_selection",
      "table numbers values spreadsheet csv inspector edges tetrahedra"},
     {"plots.export_plot_samples_csv", "table numbers values spreadsheet file save write"},
+    {"view_legend.set_the_range_of_the_legend", "scale limits minimum maximum colour bar residual"},
+    {"view_legend.logarithmic_colours", "legend scale log decades"},
     {"view.light_colours", "dark theme mode bright appearance"},
     {"live.connect_to_a_stream", "motive optitrack natnet vmc xsens mvn network suit"},
     {"file.save", "project session write"},

@@ -40,8 +40,8 @@ void click(QAbstractButton& button) {
 
 }  // namespace
 
-KeyRouting::KeyRouting(MainWindow& window, Means timeline)
-    : QObject(&window), m_window(window), m_timeline(std::move(timeline)) {
+KeyRouting::KeyRouting(MainWindow& window, Claims labels)
+    : QObject(&window), m_window(window), m_labels(std::move(labels)) {
   window.installEventFilter(this);
   for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
 }
@@ -49,7 +49,7 @@ KeyRouting::KeyRouting(MainWindow& window, Means timeline)
 bool KeyRouting::isKept(const QKeyEvent& event) const {
   const QWidget* focused = QApplication::focusWidget();
   if (qobject_cast<const QComboBox*>(focused)) return is_of_a_choice(event);
-  return focused == &m_window.timeline() && (is_digit(event) || m_timeline(event));
+  return m_labels(event) || (focused == &m_window.timeline() && is_digit(event));
 }
 
 /// Space plays wherever the focus is, so Return presses a button.

@@ -15,10 +15,10 @@ class MainWindow;
 class KeyRouting : public QObject {
   Q_OBJECT
  public:
-  /// Whether the focused control uses a key before actions do.
-  using Means = std::function<bool(const QKeyEvent&)>;
-  /// @param timeline for the timeline
-  KeyRouting(MainWindow& window, Means timeline);
+  /// Whether a key that the focused control does not keep is used before actions get it.
+  using Claims = std::function<bool(const QKeyEvent&)>;
+  /// @param labels  for the values of labels
+  KeyRouting(MainWindow& window, Claims labels);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -28,7 +28,7 @@ class KeyRouting : public QObject {
   bool press(const QKeyEvent& event);
 
   MainWindow& m_window;
-  Means m_timeline;
+  Claims m_labels;
 };
 
 }  // namespace abrazo::app

@@ -1,13 +1,21 @@
 #include "app/workbench/labels/label_key_filter.hpp"
 
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QKeyEvent>
+#include <utility>
 
+#include "app/workbench/document/document.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/frame_ticker.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
 namespace {
+
+/// Release and press of a repeated key have the same time, but may come in different turns of the window.
+/// Nobody releases and presses a key again within this time.
+constexpr int repetition_ms = 30;
 
 char key_of(const QKeyEvent& event) {
   const int key = event.key();
@@ -17,12 +25,28 @@ char key_of(const QKeyEvent& event) {
   return 0;
 }
 
+/// A table whose cells are edited by typing. Fields keep their keys themselves.
+bool is_typed_into(const QWidget* focused) {
+  const auto* table = qobject_cast<const QAbstractItemView*>(focused);
+  return table && (table->editTriggers() & QAbstractItemView::AnyKeyPressed) &&
+         (table->currentIndex().flags() & Qt::ItemIsEditable);
+}
+
 }  // namespace
 
 LabelKeyFilter::LabelKeyFilter(Document& document, widgets::TimelineView& timeline, const FrameTicker& ticker,
                                AnnotationDesk& desk)
     : QObject(&desk), m_document(document), m_timeline(timeline), m_ticker(ticker), m_desk(desk) {
   timeline.installEventFilter(this);
+  timeline.window()->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* focused) {
+    if (focused) focused->installEventFilter(this);
+  });
+  m_settle.setSingleShot(true);
+  m_settle.setInterval(repetition_ms);
+  // One turn later: after a long one the press may have come and not been handled yet.
+  connect(&m_settle, &QTimer::timeout, this,
+          [this] { QTimer::singleShot(0, this, [this] { draw(m_keys.settle()); }); });
   connect(&ticker, &FrameTicker::playbackChanged, this, [this] {
     const bool said_something = !m_keys.running().empty();
     const auto said = m_keys.follow(now());
@@ -49,20 +73,52 @@ const AnnotationTier* LabelKeyFilter::tierOf(char key) const {
   return m_desk.isOpen() ? tier_of_key(m_document.annotations(), m_document.labels().tier(), key) : nullptr;
 }
 
-bool LabelKeyFilter::means(const QKeyEvent& event) const {
+bool LabelKeyFilter::claims(const QKeyEvent& event) {
+  const QWidget* focused = QApplication::focusWidget();
+  const bool works = focused == &m_timeline || (!m_document.subject().empty() && !is_typed_into(focused));
   const char key = key_of(event);
-  return key != 0 && tierOf(key) != nullptr;
+  const bool ours = key != 0 && works && (tierOf(key) || m_keys.is_held(key));
+  m_claimed = ours ? key : '\0';
+  return ours;
 }
 
 bool LabelKeyFilter::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusOut && !m_keys.taps()) draw(m_keys.finish(now()));
-  const bool pressed = event->type() == QEvent::KeyPress;
-  if (!pressed && event->type() != QEvent::KeyRelease) return QObject::eventFilter(watched, event);
-  const auto* key = static_cast<QKeyEvent*>(event);
-  const bool ours = means(*key) || m_keys.is_running(key_of(*key));
-  if (!ours) return QObject::eventFilter(watched, event);
-  if (key->isAutoRepeat()) return true;
-  pressed ? press(key_of(*key)) : draw(m_keys.release(key_of(*key), now()));
+  switch (event->type()) {
+    case QEvent::FocusOut:
+      draw(m_keys.let_all_go(now()));
+      break;
+    case QEvent::ShortcutOverride:
+      m_claimed = 0;
+      break;
+    case QEvent::KeyPress:
+      if (isPressed(*static_cast<QKeyEvent*>(event))) return true;
+      break;
+    case QEvent::KeyRelease:
+      if (isReleased(*static_cast<QKeyEvent*>(event))) return true;
+      break;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+/// @return whether it was claimed
+bool LabelKeyFilter::isPressed(const QKeyEvent& event) {
+  const char key = key_of(event);
+  if (key == 0 || std::exchange(m_claimed, '\0') != key) return false;
+  const bool began_elsewhere = event.isAutoRepeat() && !m_keys.is_held(key);
+  if (began_elsewhere) return true;
+  if (m_keys.hold(key) && !event.isAutoRepeat()) press(key);
+  return true;
+}
+
+/// @return whether it is of a key that is held here
+bool LabelKeyFilter::isReleased(const QKeyEvent& event) {
+  const char key = key_of(event);
+  if (!m_keys.is_held(key)) return false;
+  if (event.isAutoRepeat()) return true;
+  m_keys.let_go(key, now());
+  m_settle.start();
   return true;
 }
 

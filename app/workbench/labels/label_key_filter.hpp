@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include "core/annotation/label_keys.hpp"
 
@@ -16,8 +17,8 @@ class AnnotationDesk;
 class Document;
 class FrameTicker;
 
-/// Labelling by the keys of the vocabularies while the timeline has the focus: keys and time go to
-/// `LabelKeys`, or to `say_at_cursor` while the cursor is parked; the result becomes an edit of the document.
+/// Labelling by the keys of the vocabularies: keys and time go to `LabelKeys`, or to `say_at_cursor` while
+/// the cursor is parked; the result becomes an edit of the document.
 class LabelKeyFilter : public QObject {
   Q_OBJECT
  public:
@@ -25,8 +26,9 @@ class LabelKeyFilter : public QObject {
                  AnnotationDesk& desk);
 
   void setTaps(bool on);
-  /// Whether a tier has a value with this key.
-  bool means(const QKeyEvent& event) const;
+  /// Whether a key that no view keeps sets a label: in the timeline, and wherever nothing is typed while a
+  /// take is annotated. Its press is then taken before the focused view gets it.
+  bool claims(const QKeyEvent& event);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -34,6 +36,8 @@ class LabelKeyFilter : public QObject {
  private:
   const AnnotationTier* tierOf(char key) const;
   LabelKeys::Moment now() const;
+  bool isPressed(const QKeyEvent& event);
+  bool isReleased(const QKeyEvent& event);
   void press(char key);
   void draw(const std::vector<LabelKeys::Said>& said);
   void show();
@@ -43,6 +47,8 @@ class LabelKeyFilter : public QObject {
   const FrameTicker& m_ticker;
   const AnnotationDesk& m_desk;
   LabelKeys m_keys;
+  QTimer m_settle;     ///< until a release counts
+  char m_claimed = 0;  ///< the key whose press follows; 0 = none
 };
 
 }  // namespace abrazo::app

@@ -44,7 +44,7 @@ QFileInfoList parts_in(const QString& folder) {
 }
 
 HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double gigabytes) {
-  QMessageBox box(QMessageBox::Question, "Abrazo",
+  QMessageBox box(QMessageBox::NoIcon, "Abrazo",
                   QString("Keep the history of this session: %1, %2 GB on disk?")
                       .arg(clock_words(seconds))
                       .arg(gigabytes, 0, 'f', 2),

@@ -31,7 +31,7 @@ bool has_lost_takes(const MainWindow& window) {
 }
 
 ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, double history_s) {
-  QMessageBox box(QMessageBox::Question, "Abrazo", "Save the changes to " + name + "?",
+  QMessageBox box(QMessageBox::NoIcon, "Abrazo", "Save the changes to " + name + "?",
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
   box.setInformativeText(
       QString(
@@ -63,7 +63,7 @@ ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, double h
 ProjectDesk::LibraryAnswer ask_about_library(MainWindow& window) {
   using Answer = ProjectDesk::LibraryAnswer;
   const Material& material = window.session()->material();
-  QMessageBox box(QMessageBox::Question, "Abrazo",
+  QMessageBox box(QMessageBox::NoIcon, "Abrazo",
                   QString("The library “%1” is not in a file yet. Write it beside the session?")
                       .arg(QString::fromStdString(material.library->name())),
                   QMessageBox::Cancel, &window);

@@ -13,17 +13,30 @@ using widgets::SceneView;
 
 constexpr int cut_step_id = 0x637574;  // "cut"; no other command has it
 
-/// The cutting plane moved or turned by a person.
+/// The history would otherwise have equal lines of different changes.
+QString words_of(const SceneOptions& before, const SceneOptions& after) {
+  if (before.cuts != after.cuts) return after.cuts ? "cutting plane on" : "cutting plane off";
+  if (before.cut_in_world != after.cut_in_world)
+    return after.cut_in_world ? "fix cutting plane in the world" : "cutting plane turns with the view";
+  return before.cut_m != after.cut_m ? "move cutting plane" : "turn cutting plane";
+}
+
+/// The cutting plane changed by a person.
 class CutStep : public QUndoCommand {
  public:
   CutStep(SceneView& scene, const SceneOptions& before, const SceneOptions& after, int edit)
-      : QUndoCommand("cutting plane"), m_scene(&scene), m_before(before), m_after(after), m_edit(edit) {}
+      : QUndoCommand(words_of(before, after)),
+        m_scene(&scene),
+        m_before(before),
+        m_after(after),
+        m_edit(edit) {}
 
   int id() const override { return cut_step_id; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto& later = static_cast<const CutStep&>(*other);
     if (later.m_edit != m_edit) return false;
     m_after = later.m_after;
+    setText(words_of(m_before, m_after));
     return true;
   }
   void undo() override { show(m_before); }

@@ -1,12 +1,15 @@
 #include <QAction>
 #include <QClipboard>
 #include <QDateTime>
+#include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMenu>
 #include <QSaveFile>
 #include <QStandardPaths>
+#include <QUrl>
 
 #include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/shell/actions.hpp"
@@ -14,6 +17,7 @@
 #include "app/workbench/shell/scene_picture.hpp"
 #include "core/motion/joints/motion_format.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/offer_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
@@ -28,15 +32,18 @@ void choose_files(MainWindow& window) {
   if (!files.isEmpty()) window.openFiles(files);
 }
 
-QString picture_file(const MainWindow& window) {
+QString picture_file() {
   QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  if (folder.isEmpty() || !QFileInfo(folder).isDir()) folder = window.remembered().folder();
+  if (folder.isEmpty() || !QDir().mkpath(folder)) folder = QDir::homePath();
   return folder + "/abrazo-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss-zzz") + ".png";
 }
 
-void tell_picture(MainWindow& window, const QString& file, const QString& trouble) {
-  trouble.isEmpty() ? window.messages().succeed("picture", "Picture written to " + file)
-                    : window.messages().showErrorOf("picture", trouble);
+void tell_picture(MainWindow& window, widgets::OfferBar& bar, const QString& file, const QString& trouble) {
+  if (!trouble.isEmpty()) return window.messages().showErrorOf("picture", trouble);
+  const QString text = "Picture written to " + file;
+  window.messages().succeed("picture", text, true);
+  bar.offer(text, "Show in folder",
+            [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); });
 }
 
 /// Whole or not at all. @return what went wrong, or nothing
@@ -55,14 +62,17 @@ QImage picture_of(MainWindow& window) {
 }
 
 void add_pictures(MainWindow& window, QMenu* menu) {
-  add_action(window, menu, "Save picture of the window", {QKeySequence("F12")}, [&window] {
-    const QString file = picture_file(window);
-    tell_picture(window, file, save_screenshot(window, file));
+  auto* bar = new widgets::OfferBar;
+  window.colour(bar);
+  window.addBelowMessages(bar);
+  add_action(window, menu, "Save picture of the window", {QKeySequence("F12")}, [&window, bar] {
+    const QString file = picture_file();
+    tell_picture(window, *bar, file, save_screenshot(window, file));
   });
   add_action(window, menu, "Save picture of the scene, without background", {QKeySequence("Shift+F12")},
-             [&window] {
-               const QString file = picture_file(window);
-               tell_picture(window, file, write_picture(transparent_picture(window.scene()), file));
+             [&window, bar] {
+               const QString file = picture_file();
+               tell_picture(window, *bar, file, write_picture(transparent_picture(window.scene()), file));
              });
   add_action(window, menu, "Copy picture of the scene", {QKeySequence("Ctrl+Shift+C")}, [&window] {
     QGuiApplication::clipboard()->setImage(window.scene().picture());

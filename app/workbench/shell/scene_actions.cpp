@@ -99,6 +99,21 @@ void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu, QUndoStack& und
   keep_cut_edits(scene, undo);
 }
 
+void add_legend(QMainWindow& window, SceneView& scene, QMenu* menu) {
+  QMenu* legend = menu->addMenu("Legend");
+  add_action(window, legend, "Set the range of the legend…", {}, [&scene] { scene.askRange(); });
+  const auto add = [&](const char* text, auto change) {
+    add_action(window, legend, text, {}, [&scene, change] {
+      SceneOptions options = scene.options();
+      change(options);
+      scene.setOptions(options);
+    });
+  };
+  add("Colour map viridis", [](SceneOptions& options) { options.map = widgets::ColourMap::Viridis; });
+  add("Colour map cividis", [](SceneOptions& options) { options.map = widgets::ColourMap::Cividis; });
+  add("Logarithmic colours", [](SceneOptions& options) { options.is_logarithmic ^= true; });
+}
+
 /// Restores how the scene is drawn; changes are stored together shortly afterwards.
 void remember(SceneView& scene, UserSettings& remembered) {
   constexpr int quiet_ms = 400;
@@ -124,6 +139,7 @@ void add_scene_actions(QMainWindow& window, SceneView& scene, UserSettings& reme
   add_part(window, scene, menu, "Tetrahedra", "T", ScenePart::Tetrahedra);
   add_option(window, scene, menu, "Reference beside", "R", &SceneOptions::shows_reference_beside);
   add_cut(window, scene, menu, undo);
+  add_legend(window, scene, menu);
   add_action(window, menu, "Previous morph step", {QKeySequence(",")}, [&scene] { scene.stepMorph(-1); });
   add_action(window, menu, "Next morph step", {QKeySequence(".")}, [&scene] { scene.stepMorph(1); });
   add_rows(window, scene, menu);

@@ -7,6 +7,12 @@
 #include "widgets/timeline/whole_lanes.hpp"
 
 namespace abrazo::app {
+namespace {
+
+/// Source, Moves and Role: with fewer a running session says too little.
+constexpr int usual_lanes = 3;
+
+}  // namespace
 
 WorkSplit::WorkSplit(PanelArea* panels, QWidget* timeline, const widgets::TimelineView* lanes,
                      QWidget* parent)
@@ -44,16 +50,26 @@ void WorkSplit::makeRoomForLanes() {
 
 void WorkSplit::fit() {
   const int all_lanes = m_timeline->sizeHint().height();
-  const int least = std::min(m_timeline->minimumSizeHint().height(), all_lanes);
   const int rest = height() - handleWidth() - m_panels->neededHeight();
+  int least = std::min(m_timeline->minimumSizeHint().height(), all_lanes);
+  // Where the panels lack more than a lane anyway, two lanes would not give them what they need.
+  const bool lack_anyway = rest < least - static_cast<int>(widgets::TimelineLanes::tier_px);
+  const int room = height() - handleWidth() - m_panels->minimumSizeHint().height();
+  if (lack_anyway)
+    least = std::max(least, std::min({heightFor(widgets::first_lanes_px(m_lanes->lanes(), usual_lanes)), room,
+                                      all_lanes}));
   int below = m_chosen ? *m_chosen : withWholeLanes(std::clamp(rest, least, all_lanes));
   if (m_labels) below = std::max(below, withWholeLanes(std::min(all_lanes, height() / 2)));
   setSizes({std::max(0, height() - handleWidth() - below), below});
 }
 
+/// Of the lower part, with this height of the lanes, ruler and overview [px].
+int WorkSplit::heightFor(double lanes_px) const {
+  return m_timeline->sizeHint().height() - m_lanes->sizeHint().height() + static_cast<int>(lanes_px);
+}
+
 int WorkSplit::withWholeLanes(int below) const {
-  const int above_lanes = m_timeline->sizeHint().height() - m_lanes->sizeHint().height();
-  return above_lanes + static_cast<int>(widgets::whole_lanes_px(m_lanes->lanes(), below - above_lanes));
+  return heightFor(widgets::whole_lanes_px(m_lanes->lanes(), below - heightFor(0)));
 }
 
 void WorkSplit::resizeEvent(QResizeEvent* event) {

@@ -12,8 +12,8 @@ namespace abrazo::app {
 class PanelArea;
 
 /// Panels and scene above, transport and timeline below. Until a person moves the border, the timeline has
-/// all its lanes as far as the panels keep the height that they need; no lane is cut, the other lanes scroll.
-/// A chosen height is kept in every size of the window.
+/// all its lanes as far as the panels keep the height that they need, and three where the panels lack it
+/// anyway; no lane is cut, the other lanes scroll. A chosen height is kept in every size of the window.
 class WorkSplit : public QSplitter {
   Q_OBJECT
  public:
@@ -32,6 +32,7 @@ class WorkSplit : public QSplitter {
 
  private:
   void fit();
+  int heightFor(double lanes_px) const;
   int withWholeLanes(int below) const;
 
   PanelArea* m_panels;

@@ -158,7 +158,8 @@ Status HierarchyParser::read_line(std::string_view line) {
 Status HierarchyParser::finish() {
   if (hierarchy_.nodes.empty())
     return Error{"has no ROOT; expected a BVH file that begins with HIERARCHY", where_};
-  if (!motion_reached_) return error("the file ends without MOTION");
+  if (!motion_reached_)
+    return error("the file ends without MOTION, so it has no frames; export it again with its motion");
   if (brace_expected_) return error("MOTION where '{' was expected");
   if (!open_.empty())
     hierarchy_.warnings.push_back(

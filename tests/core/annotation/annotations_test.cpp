@@ -249,10 +249,10 @@ TEST(AnnotationTiers, AVocabularySaysEachThingOnceByOneKey) {
   EXPECT_EQ(annotations.tier(tier)->entry("basic")->rgb, 0x112233u);
   EXPECT_EQ(annotations.tier(tier)->entry_of_key('1')->value, "basic");
   EXPECT_EQ(annotations.tier(tier)->entry_of_key(0), nullptr);
-  EXPECT_THAT(refusal(annotations.set_vocabulary(tier, {{"a"}, {"a"}})), HasSubstr("'a' twice"));
+  EXPECT_THAT(refusal(annotations.set_vocabulary(tier, {{"a"}, {"a"}})), HasSubstr("'a' is already a value"));
   EXPECT_THAT(refusal(annotations.set_vocabulary(tier, {{" "}})), HasSubstr("is empty"));
   EXPECT_THAT(refusal(annotations.set_vocabulary(tier, {{"a", "", {}, '1'}, {"b", "", {}, '1'}})),
-              HasSubstr("the key 1 says two values"));
+              HasSubstr("the key 1 is already that of 'a'"));
   EXPECT_TRUE(annotations.tier(tier)->entry("basic"));
 }
 

@@ -30,9 +30,13 @@ std::vector<std::string> texts(const std::vector<LabelKeys::Said>& said) {
 class LabelKeysTest : public testing::Test, protected test::LabelTiers {
  protected:
   std::vector<std::string> press(char key, double at_s) {
+    if (!keys.hold(key)) return {};
     return texts(keys.press(key, *tier_of_key(annotations, move, key), at(at_s)));
   }
-  std::vector<std::string> release(char key, double at_s) { return texts(keys.release(key, at(at_s))); }
+  std::vector<std::string> release(char key, double at_s) {
+    keys.let_go(key, at(at_s));
+    return texts(keys.settle());
+  }
   std::vector<std::string> follow(const LabelKeys::Moment& now) { return texts(keys.follow(now)); }
 
   LabelKeys keys;
@@ -61,11 +65,52 @@ TEST_F(LabelKeysTest, AHeldKeySaysItsValueFromPressToRelease) {
 TEST_F(LabelKeysTest, WhatWasSaidBeginsAndEndsOnFrames) {
   LabelKeys::Moment now = at(2.04);
   now.fps = 10;
+  keys.hold('1');
   keys.press('1', *annotations.tier(move), now);
   now.cursor_s = 3.07;
-  EXPECT_THAT(texts(keys.release('1', now)), ElementsAre("2-3.1 one"));
+  EXPECT_THAT(texts(keys.let_all_go(now)), ElementsAre("2-3.1 one"));
+  keys.hold('1');
   keys.press('1', *annotations.tier(move), now);
-  EXPECT_THAT(texts(keys.release('1', now)), IsEmpty()) << "shorter than half a frame";
+  EXPECT_THAT(texts(keys.let_all_go(now)), IsEmpty()) << "shorter than half a frame";
+}
+
+/// A busy machine reported the releases and presses of the repetition as those of a person.
+TEST_F(LabelKeysTest, AKeyThatRepeatsIsHeldUntilNoPressFollowsItsRelease) {
+  press('1', 2);
+  for (const double at_s : {2.4, 2.45, 2.5}) {
+    keys.let_go('1', at(at_s));
+    EXPECT_THAT(press('1', at_s + 0.01), IsEmpty());
+  }
+  EXPECT_EQ(keys.running().at('1').from_s, 2);
+  EXPECT_THAT(texts(keys.settle()), IsEmpty()) << "it is held";
+  keys.let_go('1', at(3));
+  EXPECT_THAT(follow(at(3.03)), IsEmpty());
+  EXPECT_THAT(texts(keys.settle()), ElementsAre("2-3 one")) << "to where it was released";
+}
+
+TEST_F(LabelKeysTest, AReleaseKeepsItsTimeWhateverEndsTheLabel) {
+  press('1', 2);
+  keys.let_go('1', at(3));
+  EXPECT_THAT(press('2', 3.02), ElementsAre("2-3 one"));
+  keys.let_go('2', at(4));
+  LabelKeys::Moment parked = at(4.02);
+  parked.is_parked = true;
+  EXPECT_THAT(follow(parked), ElementsAre("3.02-4 two"));
+  EXPECT_THAT(texts(keys.settle()), IsEmpty());
+}
+
+TEST_F(LabelKeysTest, APressWhoseReleaseWasNotReportedIsANewOne) {
+  press('1', 2);
+  EXPECT_THAT(press('1', 3), ElementsAre("2-3 one"));
+  EXPECT_EQ(keys.running().at('1').from_s, 3);
+}
+
+TEST_F(LabelKeysTest, ATapThatRepeatsIsOneTap) {
+  keys.set_taps(true, at(0));
+  press('1', 2);
+  keys.let_go('1', at(2.4));
+  EXPECT_THAT(press('1', 2.41), IsEmpty());
+  EXPECT_TRUE(keys.is_running('1'));
 }
 
 TEST_F(LabelKeysTest, ATierSaysOneValueAtATime) {
@@ -77,9 +122,10 @@ TEST_F(LabelKeysTest, ATierSaysOneValueAtATime) {
 
 TEST_F(LabelKeysTest, TiersAreSaidBesideOneAnother) {
   press('1', 2);
+  keys.hold('a');
   keys.press('a', *annotations.tier(role), at(2.5));
   EXPECT_EQ(keys.running().size(), 2u);
-  EXPECT_THAT(texts(keys.finish(at(4))), ElementsAre("2-4 one", "2.5-4 a"));
+  EXPECT_THAT(texts(keys.let_all_go(at(4))), ElementsAre("2-4 one", "2.5-4 a"));
   EXPECT_TRUE(keys.running().empty());
 }
 

@@ -233,7 +233,8 @@ TEST(BvhReader, SaysWhatIsWrongWithAFileItCannotRead) {
   EXPECT_THAT(refusal("unknown_channel.bvh").message, HasSubstr("found 'Wrotation'"));
   EXPECT_THAT(refusal("no_frames.bvh").message, HasSubstr("no frames"));
   EXPECT_THAT(read_bvh("", "empty.bvh").error().text(), HasSubstr("empty.bvh: has no ROOT"));
-  EXPECT_THAT(read_bvh("HIERARCHY\nROOT a\n{\n}\n", "a.bvh").error().text(), HasSubstr("without MOTION"));
+  EXPECT_THAT(read_bvh("HIERARCHY\nROOT a\n{\n}\n", "a.bvh").error().text(),
+              HasSubstr("without MOTION, so it has no frames; export it again"));
   EXPECT_THAT(read_bvh("\x7f"
                        "ELF\n",
                        "a.out")

@@ -43,6 +43,8 @@ class ScalarLegend : public QWidget {
   /// Checked entries of the menu.
   void setMap(ColourMap map, bool logarithmic);
   const LegendScale& scale() const { return m_scale; }
+  /// Opens a field for the range, if the scale has one.
+  void askRange();
 
  signals:
   void lockToggled(bool locked);
@@ -57,7 +59,6 @@ class ScalarLegend : public QWidget {
 
  private:
   void dressButtons();
-  void askRange();
   void showMenu(const QPoint& global);
   Palette m_palette;
   LegendScale m_scale;

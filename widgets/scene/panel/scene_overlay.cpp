@@ -161,25 +161,33 @@ void FrameFacts::show(const Line& first, const QString& second, const QString& t
   update();
 }
 
-QString FrameFacts::firstLine() const {
-  const QFontMetrics metrics(interface_font(13));
+/// As wide as it is drawn: with all digits as wide as the widest.
+QString FrameFacts::fitting(const QString& line) const {
+  const QFont font = interface_font(13);
   const int room = width() - 8;
-  return metrics.horizontalAdvance(m_first.whole) <= room
-             ? m_first.whole
-             : metrics.elidedText(m_first.brief, Qt::ElideRight, room);
+  QString kept = line;
+  while (!kept.isEmpty() && tabular_width(font, kept) > room) {
+    const auto last = kept.lastIndexOf(" · ");
+    if (last < 0) return QFontMetrics(font).elidedText(kept, Qt::ElideRight, room);
+    kept.truncate(last);
+  }
+  return kept;
+}
+
+QString FrameFacts::firstLine() const {
+  return tabular_width(interface_font(13), m_first.whole) <= width() - 8 ? m_first.whole
+                                                                         : fitting(m_first.brief);
 }
 
 void FrameFacts::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setFont(interface_font(13));
   painter.setPen(m_palette.dark ? mixed(m_palette.text, m_palette.secondary, 0.5) : m_palette.secondary);
-  const auto fitting = [this, &painter](const QString& line) {
-    return painter.fontMetrics().elidedText(line, Qt::ElideRight, width() - 8);
-  };
   draw_tabular(painter, QRectF(0, 20, width(), 18), Qt::AlignLeft, firstLine());
   draw_tabular(painter, QRectF(0, 38, width(), 18), Qt::AlignLeft, fitting(m_second));
   painter.setPen(m_palette.warning);
-  painter.drawText(QRectF(0, 2, width(), 18), Qt::AlignLeft | Qt::AlignVCenter, fitting(m_trouble));
+  painter.drawText(QRectF(0, 2, width(), 18), Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(m_trouble, Qt::ElideRight, width() - 8));
 }
 
 }  // namespace abrazo::widgets

@@ -65,6 +65,8 @@ class FrameFacts : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString fitting(const QString& line) const;
+
   Palette m_palette;
   Line m_first;
   QString m_second, m_trouble;

@@ -20,7 +20,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int first_x = 12, indent = 14, arrow_room = 26, least_rows = 6;
+constexpr int first_x = 12, indent = 14, arrow_room = 26, least_rows = 3;
 
 }  // namespace
 
@@ -44,6 +44,7 @@ SceneTree::SceneTree(QWidget* parent)
   column->addWidget(m_scroll, 1);
   column->addWidget(m_characters);
   setFocusProxy(m_list);
+  leave_by_escape(*m_filter, *m_list);
   connect(m_filter, &QLineEdit::textChanged, m_list, &SceneTreeList::setFilter);
   connect(m_list, &SceneTreeList::visibilityRequested, this, &SceneTree::visibilityRequested);
   connect(m_list, &SceneTreeList::selectionRequested, this, &SceneTree::selectionRequested);

@@ -37,11 +37,20 @@ void PickCard::show(const PickText& text) {
   }
   // Grows immediately and never shrinks while it is open: running numbers must not shake it.
   const int width = static_cast<int>(wide) + 2 * margin + 2;
-  resize(isVisible() ? std::max(width, this->width()) : width,
-         line_height * (m_lines.size() + 1) + 2 * margin);
+  resize(isVisible() ? std::max(width, this->width()) : width, wholeHeight());
   setVisible(true);
-  raise();  // over the legend, where the picture is low
+  raise();
   update();
+}
+
+int PickCard::wholeHeight() const {
+  return line_height * (static_cast<int>(m_lines.size()) + 1) + 2 * margin;
+}
+
+void PickCard::limit(int height_px) {
+  constexpr int least_px = 2 * line_height + 2 * margin;
+  const int rows = (std::max(height_px, least_px) - 2 * margin) / line_height;
+  resize(width(), std::min(rows * line_height + 2 * margin, wholeHeight()));
 }
 
 void PickCard::paintEvent(QPaintEvent*) {
@@ -60,6 +69,7 @@ void PickCard::paintEvent(QPaintEvent*) {
   painter.setPen(mixed(m_palette.text, m_palette.secondary, 0.6));
   for (const QString& text : m_lines) {
     line.translate(0, line_height);
+    if (line.bottom() > height() - margin) return;
     draw_tabular(painter, line, Qt::AlignLeft, text);
   }
 }

@@ -15,6 +15,9 @@ class PickCard : public QWidget {
   void setColours(const Palette& palette);
   /// Sizes itself to the text.
   void show(const PickText& text);
+  int wholeHeight() const;  ///< [px]
+  /// Leaves out the last lines that do not fit; the title and the first one stay.
+  void limit(int height_px);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

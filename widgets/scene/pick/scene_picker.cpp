@@ -1,5 +1,7 @@
 #include "widgets/scene/pick/scene_picker.hpp"
 
+#include <algorithm>
+
 #include <QWidget>
 
 #include "widgets/scene/actors/scene_stage.hpp"
@@ -98,15 +100,21 @@ void ScenePicker::show(const FrameSnapshot& frame) {
   placeSelected();
 }
 
-void ScenePicker::arrange(int height_px) {
+void ScenePicker::arrange(int height_px, const QRect& at_right, const QRect& at_left) {
   m_height = height_px;
+  m_atRight = at_right;
+  m_atLeft = at_left;
   placeSelected();
 }
 
 void ScenePicker::placeSelected() {
-  constexpr int margin = 12;
-  m_selectedCard->move(m_parent->width() - m_selectedCard->width() - margin,
-                       m_height - m_selectedCard->height());
+  PickCard& card = *m_selectedCard;
+  const bool left = card.wholeHeight() > m_atRight.height() && m_atLeft.height() > m_atRight.height() &&
+                    card.width() <= m_atLeft.width();
+  const QRect& room = left ? m_atLeft : m_atRight;
+  card.limit(room.height());
+  card.move(left ? room.x() : room.x() + room.width() - card.width(),
+            std::max(0, room.y() + room.height() - card.height()));
 }
 
 }  // namespace abrazo::widgets

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QRect>
 
 #include "core/library/store/motion_library.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
@@ -37,9 +38,10 @@ class ScenePicker {
   Selection itemAt(QPointF place, const FrameSnapshot& frame) const;
   /// Updates marks and cards for the frame; an item missing in its mesh is reported, not marked.
   void show(const FrameSnapshot& frame);
-  /// Both cards keep to the upper part of the picture; the one of the selection is at its lower right.
-  /// @param height_px of that part
-  void arrange(int height_px);
+  /// Both cards keep to the upper part of the picture. The one of the selection is at its lower right below
+  /// the legend; in a low picture it is at the left if there is more room, without the lines that do not fit.
+  /// @param height_px of that part  @param at_right, at_left  free for that card
+  void arrange(int height_px, const QRect& at_right, const QRect& at_left);
 
  private:
   std::span<const double> cornersOf(const Selection& item) const;
@@ -57,6 +59,7 @@ class ScenePicker {
   Vec3 m_referenceOffset = Vec3::Zero();
   QPointF m_place{-1e6, -1e6};
   int m_height = 0;  ///< of the room for cards
+  QRect m_atRight, m_atLeft;
 };
 
 }  // namespace abrazo::widgets

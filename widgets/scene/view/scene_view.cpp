@@ -295,6 +295,10 @@ void SceneView::setScalar(MeshScalar scalar) {
   emit scalarChanged(scalar);
 }
 
+void SceneView::askRange() {
+  m_parts->legend->askRange();
+}
+
 void SceneView::setOptions(const SceneOptions& wanted) {
   const Parts& p = *m_parts;
   SceneOptions placed = wanted;
@@ -380,7 +384,7 @@ void SceneView::arrange() {
   p.makeRoom(narrow && 5 * legend_x < 3 * width());  // else the legend is beside the pair
   p.morph->adjustSize();
   p.morph->move(12, p.facts->y() - p.morph->height());
-  p.picker.arrange(p.facts->y());
+  placeCards();
   emit arranged();
 }
 

@@ -77,6 +77,8 @@ class SceneView : public QWidget {
   void setVisibility(const abrazo::widgets::PartVisibility& visibility);
   void setScalar(abrazo::widgets::MeshScalar scalar);
   void setOptions(const abrazo::widgets::SceneOptions& options);
+  /// Opens a field for the range of the legend.
+  void askRange();
   /// Fills the trails with poses before the shown frame, after the cursor was moved.
   void showPast(const abrazo::FrameHistory& history);
   void hideSelection();
@@ -151,6 +153,7 @@ class SceneView : public QWidget {
   void dressCharacters();
   void render();
   void arrange();
+  void placeCards();
   void updateFacts();
   void followPair();
   void moveCamera(const OrbitCamera& to);

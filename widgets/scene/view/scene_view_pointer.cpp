@@ -183,4 +183,18 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   QWidget::keyPressEvent(event);
 }
 
+void SceneView::placeCards() {
+  constexpr int gap = 6, margin = 12;
+  Parts& p = *m_parts;
+  const ScalarLegend* lowest = p.cell_legend->isHidden() ? p.legend : p.cell_legend;
+  const int bottom = p.facts->y(), left_bottom = p.morph->isHidden() ? bottom : p.morph->y();
+  const int below_legend = std::max(lowest->geometry().bottom(), p.chips->geometry().bottom()) + gap;
+  const int below_chips = p.chips->geometry().bottom() + gap;
+  const auto from_to = [](int x, int y, int right, int end) {
+    return QRect(x, y, right - x, std::max(0, end - y));
+  };
+  p.picker.arrange(bottom, from_to(margin, below_legend, width() - margin, bottom),
+                   from_to(margin, below_chips, p.legend->x() - gap, left_bottom));
+}
+
 }  // namespace abrazo::widgets
