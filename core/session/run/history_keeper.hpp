@@ -40,8 +40,8 @@ class HistoryKeeper : public FrameListener {
     std::string failure;              ///< why frames are not on disk; empty again once they are
   };
   virtual State state() const = 0;
-  /// Length of the frames after a time that only its files have, those of the recorders not [s]. Waits while
-  /// the files change.
+  /// Length of the frames after a time in its own files [s]: without what recorders wrote while it rested.
+  /// Waits while the files change.
   virtual double kept_after_s(double time_s) const = 0;
   /// The frames on disk, and those of the recorders during pauses.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
