@@ -422,20 +422,24 @@ std::string drawn_over_another(const PanelArea& area) {
 /// The settings had no title and presets below the video, the library had none below the recording: the
 /// tallest panel of a shared place, and those at the left, were not counted.
 TEST_F(Layout, NoPanelIsDrawnOverAnotherInASmallWindow) {
+  auto& recording = *window().findChild<widgets::TakePanel*>();
   RecordedTakes takes;
   for (const std::int64_t id : {1, 2, 3}) takes.put({id, "take", 0, 1, 60, {}});
-  window().findChild<widgets::TakePanel*>()->setTakes(takes);
-  for (const QSize size : {QSize(1280, 720), QSize(1280, 700), QSize(1100, 640)}) {
+  recording.setTakes(takes);
+  const auto open = [](QSize size, const std::vector<const char*>& panels) {
     window().resize(size);
-    for (const char* opened : {"video", "recording", "connection"}) {
+    for (const char* opened : panels) {
       area().want(opened, true);
       QTest::qWait(80);
       EXPECT_TRUE(until([] { return drawn_over_another(area()).empty(); }))
           << drawn_over_another(area()) << " at " << size.height() << " with " << opened;
     }
-    for (const char* opened : {"video", "recording", "connection"}) area().want(opened, false);
-  }
-  window().findChild<widgets::TakePanel*>()->setTakes({});
+    for (const char* opened : panels) area().want(opened, false);
+  };
+  for (const QSize size : {QSize(1280, 720), QSize(1280, 700)})
+    open(size, {"video", "recording", "connection"});
+  open({1100, 640}, {"recording", "connection"});
+  recording.setTakes({});
 }
 
 /// The view menu had a second column, and covered the whole window.
