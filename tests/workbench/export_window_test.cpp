@@ -386,7 +386,7 @@ TEST_F(ExportWindow, CancellingLeavesNothingOrSaysWhatIsThere) {
   ASSERT_TRUE(until([] { return !desk().isBusy(); }));
   const bool is_cancelled = window().messages().text().contains("cancelled");
   EXPECT_EQ(QDir(home().path()).entryList({"series*"}).isEmpty(), is_cancelled);
-  EXPECT_NE(window().findChild<widgets::OfferBar*>()->text().contains("series.pvd"), is_cancelled);
+  EXPECT_NE(window().findChild<widgets::OfferBar*>("exported")->text().contains("series.pvd"), is_cancelled);
 }
 
 TEST_F(ExportWindow, WhatWasWrittenBeforeCancellingWasSeenIsTold) {
@@ -398,7 +398,7 @@ TEST_F(ExportWindow, WhatWasWrittenBeforeCancellingWasSeenIsTold) {
   emit window().messages().cancelRequested();
   ASSERT_TRUE(until([] { return !desk().isBusy(); }));
   EXPECT_TRUE(QFile::exists(file("late.bvh")));
-  EXPECT_TRUE(window().findChild<widgets::OfferBar*>()->text().contains("late.bvh"));
+  EXPECT_TRUE(window().findChild<widgets::OfferBar*>("exported")->text().contains("late.bvh"));
   EXPECT_FALSE(window().messages().text().contains("cancelled")) << window().messages().text().toStdString();
 }
 

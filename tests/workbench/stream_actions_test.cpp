@@ -246,7 +246,9 @@ TEST_F(StreamActions, ACalibrationOfSomeoneWhoDancesIsToldAsDoubtful) {
 }
 
 TEST_F(StreamActions, ADoubtfulCalibrationIsCalledSoUntilItIsUndone) {
-  const StreamedPerformer performer(clip(), listen());
+  const QString free_port = listen();
+  desk().connectTo(free_port);  // to undo it listens anew, at the port that was named
+  const StreamedPerformer performer(clip(), free_port);
   ASSERT_TRUE(receives());
   press(Qt::Key_T, Qt::ControlModifier);
   ASSERT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
@@ -258,6 +260,7 @@ TEST_F(StreamActions, ADoubtfulCalibrationIsCalledSoUntilItIsUndone) {
   EXPECT_FALSE(window().messages().openErrors().join(' ').contains("doubtful"))
       << "what it was about is gone";
   EXPECT_TRUE(until([] {
+    desk().poll();
     return !panel().cards().empty() && panel().cards().front()->toolTip().contains("not calibrated");
   }));
 }

@@ -39,6 +39,7 @@ double rate_at(const FrameHistory& history, double to_s) {
 ExportDesk::ExportDesk(MainWindow& window, std::function<RecordedTakes()> takes)
     : QObject(&window), m_window(window), m_takes(std::move(takes)) {
   m_bar = new widgets::OfferBar;
+  m_bar->setObjectName("exported");
   window.colour(m_bar);
   window.addBelowMessages(m_bar);
   connect(&window.messages(), &widgets::MessageBar::cancelRequested, this, [this] {

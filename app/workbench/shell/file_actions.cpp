@@ -63,6 +63,7 @@ QImage picture_of(MainWindow& window) {
 
 void add_pictures(MainWindow& window, QMenu* menu) {
   auto* bar = new widgets::OfferBar;
+  bar->setObjectName("picture written");
   window.colour(bar);
   window.addBelowMessages(bar);
   add_action(window, menu, "Save picture of the window", {QKeySequence("F12")}, [&window, bar] {
