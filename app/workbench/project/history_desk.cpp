@@ -13,7 +13,6 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "app/workbench/takes/take_desk.hpp"
 #include "core/base/text.hpp"
 #include "core/session/frames/time_place.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -86,8 +85,8 @@ struct HistoryDesk::Files {
   }
 };
 
-HistoryDesk::HistoryDesk(MainWindow& window, const TakeDesk& takes)
-    : QObject(&window), m_window(window), m_takes(takes) {
+HistoryDesk::HistoryDesk(MainWindow& window, std::function<bool()> has_takes)
+    : QObject(&window), m_window(window), m_hasTakes(std::move(has_takes)) {
   setObjectName("history desk");
   connect(&window.document(), &Document::began, this, &HistoryDesk::begin);
   connect(&window.document(), &Document::ending, this, &HistoryDesk::end);
@@ -159,7 +158,7 @@ double HistoryDesk::unsaved(bool has_changes) const {
   history.unsaved_s =
       std::min(m_keeper->kept_after_s(m_savedTo_s), rate_hz > 0 ? frames / rate_hz : span.last_s);
   history.is_demo = isDemo();
-  history.is_touched = has_changes || !m_takes.takes().empty() || playback.in_set || playback.out_set;
+  history.is_touched = has_changes || m_hasTakes() || playback.in_set || playback.out_set;
   return asks_before_deleting(history, settles_s) ? history.unsaved_s : 0;
 }
 

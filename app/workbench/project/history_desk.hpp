@@ -14,7 +14,6 @@ namespace abrazo::app {
 
 class Job;
 class MainWindow;
-class TakeDesk;
 
 /// Keeps the frames of the running session in files of a separate folder, reports what the bound removes, and
 /// deletes the folder when the session ends. A lock beside the folder identifies the owner process, so that a
@@ -25,7 +24,8 @@ class HistoryDesk : public QObject {
   enum class Answer { Keep, Discard, Cancel };
   double settles_s = history_settles_s;  ///< less than this is deleted without a question [s]
 
-  HistoryDesk(MainWindow& window, const TakeDesk& takes);
+  /// @param has_takes  whether the session has takes
+  HistoryDesk(MainWindow& window, std::function<bool()> has_takes);
   ~HistoryDesk() override;
 
   /// Folder of the session's files; empty = history is in memory only, or its files are still being made.
@@ -65,7 +65,7 @@ class HistoryDesk : public QObject {
   bool isDemo() const;
 
   MainWindow& m_window;
-  const TakeDesk& m_takes;
+  std::function<bool()> m_hasTakes;
   QTimer m_timer;
   QString m_folder, m_toldFailure;
   std::unique_ptr<QLockFile> m_lock;

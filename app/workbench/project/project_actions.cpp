@@ -19,7 +19,7 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
       add_action(window, menu, "Save as…", {QKeySequence("Ctrl+Shift+S")}, [desk] { desk->askSaveAs(); });
   for (QAction* action : {save, save_as})
     move_before(*menu, action, action_of(window, "file.generated_dance"));
-  auto* history = new HistoryDesk(window, takes);
+  auto* history = new HistoryDesk(window, [desk] { return desk->hasTakes(); });
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
   QObject::connect(desk, &ProjectDesk::keepingHistory, history, &HistoryDesk::leave);
   desk->unsavedHistory = [history] { return history->unsaved(true); };

@@ -165,6 +165,10 @@ void ProjectDesk::showTitle() {
 
 // ---- saving ----
 
+bool ProjectDesk::hasTakes() const {
+  return !m_takes.takes().empty();
+}
+
 void ProjectDesk::save() {
   if (!m_hasSession) return m_window.messages().showInformation("Nothing is open yet");
   file().isEmpty() ? askSaveAs() : write(file());

@@ -31,6 +31,7 @@ class ProjectDesk : public QObject {
 
   /// Empty if the session has no file.
   QString file() const;
+  bool hasTakes() const;
   bool isModified() const { return m_isModified; }
   /// Compares the present with the saved state; called on every change of the document.
   void refresh();
