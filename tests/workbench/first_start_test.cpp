@@ -1,11 +1,13 @@
 // What a person sees who starts the program for the first time, in two sizes of the window.
 #include <QSplitterHandle>
+#include <QTableWidget>
 
 #include "app/workbench/document/live_session.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/work_split.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
@@ -125,6 +127,21 @@ TEST_F(FirstStart, TheTierThatIsAnnotatedIsInViewInASmallWindow) {
   const AnnotationTier& note = *window().document().annotations().first_of(TierKind::Note);
   window().document().chooseTier(note.id);
   EXPECT_LE(lanes.top_of_tier(note.id) + widgets::TimelineLanes::tier_px, lanes.bottom_px());
+}
+
+/// Below the tiers no label was in view at 1280x720, while the settings had most of the column.
+TEST_F(FirstStart, ALabelIsInViewWhileATakeIsAnnotatedAndTheSettingsGetTheirHeightBack) {
+  start({1280, 720});
+  auto& desk = *window().findChild<AnnotationDesk*>();
+  desk.showSubject(window().session()->material().library->takes().front().name);
+  QTest::qWait(80);
+  const QTableWidget& table = window().findChild<widgets::AnnotationPanel*>()->table();
+  EXPECT_GE(table.viewport()->visibleRegion().boundingRect().height(), table.rowHeight(0));
+  const int lent = window().settings().height();
+  desk.showSubject({});
+  window().panels().want("annotation", false);
+  QTest::qWait(80);
+  EXPECT_GT(window().settings().height(), lent);
 }
 
 /// The legend lay over the heads while the welcome page was beside the scene.

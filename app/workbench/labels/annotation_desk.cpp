@@ -83,6 +83,8 @@ void AnnotationDesk::connectRequests() {
     show();
     if (on) m_window.makeRoomForLanes();
   });
+  connect(&document, &Document::subjectChanged, this,
+          [this] { m_window.panels().favour(showsTake() ? panel_id : QString()); });
   // A take has no live end: at its end the cursor stays.
   connect(&m_window.ticker(), &FrameTicker::playbackChanged, this, [this](const Playback& playback) {
     if (showsTake() && playback.state == Playback::State::Following) m_window.ticker().pause();

@@ -310,7 +310,7 @@ void PanelArea::keepTuned() {
   if (!settings) return;
   const int needed = neededHeight(), wanted = settings->widget()->sizeHint().height();
   const int lacking = std::max(0, needed - height());
-  const int kept = needed > 0 ? std::max(0, wanted - lacking) : 0;
+  const int kept = needed > 0 && m_favoured.isEmpty() ? std::max(0, wanted - lacking) : 0;
   if (kept != settings->widget()->minimumHeight()) {
     settings->widget()->setMinimumHeight(kept);
     // As in setHeadHeight(): else the sizes are shared out with the height that it had.
@@ -319,6 +319,13 @@ void PanelArea::keepTuned() {
   }
   if (needed == std::exchange(m_needed, needed)) return;
   emit neededHeightChanged();
+}
+
+void PanelArea::favour(const QString& id) {
+  if (id == m_favoured) return;
+  m_favoured = id;
+  keepTuned();
+  restoreSizes();
 }
 
 int PanelArea::planned(Qt::DockWidgetArea side) const {
@@ -336,7 +343,10 @@ void PanelArea::rememberSizes() {
     const Qt::DockWidgetArea side = dockWidgetArea(panel.dock);
     const bool follows = side != Qt::BottomDockWidgetArea && std::abs(dock.width() - planned(side)) <= 2;
     const bool shares = side != Qt::BottomDockWidgetArea && !tabifiedDockWidgets(panel.dock).isEmpty();
-    m_sizes[dock.objectName()] = {follows ? 0 : dock.width(), dock.height() + (shares ? tabs_height : 0)};
+    const auto known = m_sizes.find(dock.objectName());
+    const bool lends_height = !m_favoured.isEmpty() && known != m_sizes.end();
+    const int height = lends_height ? known->second.height() : dock.height() + (shares ? tabs_height : 0);
+    m_sizes[dock.objectName()] = {follows ? 0 : dock.width(), height};
   }
 }
 
@@ -355,6 +365,10 @@ void PanelArea::restoreSizes() {
   }
   resizeDocks(beside, widths, Qt::Horizontal);
   resizeDocks(all, heights, Qt::Vertical);
+  QDockWidget *favoured = panel(m_favoured), *settings = panel("settings");
+  if (favoured && settings && !favoured->isHidden() && !settings->isHidden() &&
+      dockWidgetArea(favoured) == dockWidgetArea(settings))
+    resizeDocks({favoured, settings}, {height(), 1}, Qt::Vertical);
 }
 
 void PanelArea::applyUsualSizes() {

@@ -42,6 +42,9 @@ class PanelArea : public QMainWindow {
   void arrangeFor(QSize window);
   /// For what stands beside the scene, with this width; 0 = nothing. Sides give way to it.
   void leaveRoomBeside(int width);
+  /// A panel that is worked in gets the height that the settings do not need; their own come back with an
+  /// empty id.
+  void favour(const QString& id);
   /// With which the settings that are tuned most are in view below the candidates [px]; 0 if nobody asks for
   /// it.
   int neededHeight() const;
@@ -100,6 +103,7 @@ class PanelArea : public QMainWindow {
   /// Sizes of panels as set by the user, for windows with enough room. Width 0 follows the plan.
   std::map<QString, QSize> m_sizes;
   int m_needed = 0;         ///< neededHeight() as it was told last
+  QString m_favoured;       ///< id; empty = none
   bool m_hasSizes = false;  ///< from a layout, or set at the first show
 };
 
