@@ -115,6 +115,16 @@ class Annotating : public DemoWindow {
   static bool on_frame(double time_s) {
     return std::abs(time_s * desk().fps() - std::round(time_s * desk().fps())) < 1e-6;
   }
+  /// Releases the key of a label that was begun then: it is the only one, and ends now.
+  static void let_go_of_the_label_from(double from_s) {
+    QTest::keyRelease(&timeline(), Qt::Key_1);
+    const double to_s = ticker().playback().cursor_s;
+    until([] { return !labels().empty(); });
+    ticker().pause();
+    ASSERT_EQ(labels().size(), 1u);
+    EXPECT_NEAR(labels()[0].start_s, from_s, 0.05);
+    EXPECT_NEAR(labels()[0].end_s, to_s, 0.05);
+  }
 };
 
 TEST_F(Annotating, ATakeIsLookedAtFrameByFrameAndTheSessionComesBackAsItWas) {
@@ -350,13 +360,8 @@ TEST_F(Annotating, AHeldKeyLabelsWhileTheTakePlays) {
   const double from = ticker().playback().cursor_s;
   until([from] { return ticker().playback().cursor_s > from + 0.4; });
   EXPECT_FALSE(timeline().tiers().running.empty());
-  QTest::keyRelease(&timeline(), Qt::Key_1);
-  const double to = ticker().playback().cursor_s;
-  until([] { return !labels().empty(); });
-  ticker().pause();
-  ASSERT_EQ(labels().size(), 1u);
-  EXPECT_NEAR(labels()[0].start_s, from, 0.05);
-  EXPECT_NEAR(labels()[0].end_s, to, 0.05);
+  let_go_of_the_label_from(from);
+  ASSERT_FALSE(labels().empty());
   EXPECT_TRUE(on_frame(labels()[0].start_s));
   EXPECT_TRUE(timeline().tiers().running.empty());
 }
@@ -397,13 +402,7 @@ TEST_F(Annotating, AHeldKeyDrawsOneLabelHoweverTheKeyboardRepeatsIt) {
   ASSERT_TRUE(until([&pressed] { return pressed; })) << "in another turn of the window";
   play_on();
   EXPECT_TRUE(labels().empty());
-  QTest::keyRelease(&timeline(), Qt::Key_1);
-  const double to = ticker().playback().cursor_s;
-  until([] { return !labels().empty(); });
-  ticker().pause();
-  ASSERT_EQ(labels().size(), 1u);
-  EXPECT_NEAR(labels()[0].start_s, from, 0.05);
-  EXPECT_NEAR(labels()[0].end_s, to, 0.05);
+  let_go_of_the_label_from(from);
 }
 
 /// After a click into the scene a digit turned the camera and labelled nothing.

@@ -129,13 +129,18 @@ TEST(LiveLoop, AfterAHoldTheClipGoesOnFromTheHeldPoseAsIfNoTimeHadPassed) {
   EXPECT_NE(next->result.status, StepStatus::Failed);
 }
 
+/// Runs for half a second and is held until ten. @return the last frame
+FrameSnapshotPtr held_from(LiveLoop& loop, Live& live) {
+  run_for(loop, 0, 0.5);
+  live.commands.push(PauseInput{true});
+  run_for(loop, 0.5, 10);
+  return live.latest.newest();
+}
+
 TEST(LiveLoop, AChangeIsSolvedOnTheHeldPoseAndThenItRestsAgain) {
   Live live;
   const auto loop = live.loop(test::responsive_by_pose());
-  run_for(*loop, 0, 0.5);
-  live.commands.push(PauseInput{true});
-  run_for(*loop, 0.5, 10);
-  const FrameSnapshotPtr held = live.latest.newest();
+  const FrameSnapshotPtr held = held_from(*loop, live);
   live.commands.push(SetSettings{*preset("paper")});
   run_for(*loop, 10, 100);
   const FrameSnapshotPtr settled = live.latest.newest();
@@ -152,10 +157,7 @@ TEST(LiveLoop, AChangeIsSolvedOnTheHeldPoseAndThenItRestsAgain) {
 TEST(LiveLoop, AnotherLibraryMakesNoFrameOfAHeldPoseAndActsOnTheNext) {
   Live live;
   const auto loop = live.loop(test::responsive_by_pose());
-  run_for(*loop, 0, 0.5);
-  live.commands.push(PauseInput{true});
-  run_for(*loop, 0.5, 10);
-  const FrameSnapshotPtr held = live.latest.newest();
+  const FrameSnapshotPtr held = held_from(*loop, live);
   const std::shared_ptr<PartnerSynthesizer> next =
       std::move(*PartnerSynthesizer::create(test::two_take_library(), test::responsive_by_pose()));
   live.commands.push(ReplaceSynthesizer{next});
