@@ -208,6 +208,10 @@ TEST(Describe, NamesBodiesAndJointsAndSaysWhatTheFrameDoesNotHave) {
   without.result.edges.clear();
   EXPECT_THAT(describe(without, Selection::edge({20, 49})).lines,
               ::testing::ElementsAre("not in the mesh of this frame"));
+  const auto of_the_pair = ::testing::Contains(::testing::HasSubstr("from the selected pair's"));
+  EXPECT_THAT(describe(*frame, Selection::joint(16)).lines, of_the_pair);
+  without.result.selected = -1;
+  EXPECT_THAT(describe(without, Selection::joint(16)).lines, ::testing::Not(of_the_pair));
   EXPECT_FALSE(has_item(without, Selection::edge({20, 49})));
   EXPECT_TRUE(has_item(without, Selection::joint(20)));
 }

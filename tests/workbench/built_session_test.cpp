@@ -262,6 +262,28 @@ TEST_F(BuiltSession, SavedWhileItsLibraryWasMissingItIsAskedForAgainAndComesBack
   EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
 }
 
+/// Everything that was decided in the dialog was gone.
+TEST_F(BuiltSession, WhoeverKeepsTheSessionAfterBuildingKeepsTheDialog) {
+  const auto before = material().library;
+  press(Qt::Key_M);
+  ASSERT_TRUE(desk().isModified());
+  desk().ask = [] { return ProjectDesk::Answer::Cancel; };
+  auto& library = *window().findChild<LibraryDesk*>();
+  library.offer(written_motions());
+  ASSERT_TRUE(until([&library] { return !library.building()->isBusy(); }));
+  const int rows = library.building()->dialog().model().rowCount();
+  for (auto* button : library.building()->dialog().findChildren<QPushButton*>())
+    if (button->text() == "Build") button->click();
+  ASSERT_TRUE(until([&library] { return !library.building()->isBusy(); }));
+  turn();
+  ASSERT_TRUE(library.building());
+  EXPECT_TRUE(library.building()->dialog().isVisible());
+  EXPECT_EQ(library.building()->dialog().model().rowCount(), rows);
+  EXPECT_EQ(material().library, before);
+  library.building()->dialog().close();
+  prepare();
+}
+
 /// The heading was "LIBRARY · LIBRARY".
 TEST_F(BuiltSession, ThePanelNamesTheLibraryUnlessThatIsItsOwnName) {
   const auto has_panel = [](const QString& heading) {

@@ -194,9 +194,10 @@ QString TakeList::coverageText() const {
   const TakeCoverage& coverage = m_model->coverage();
   const auto share = m_typical_m ? coverage.share_within(*m_typical_m) : std::nullopt;
   if (!share) return m_typical_m ? "Coverage: no frames yet" : "Coverage: being measured";
-  const QString text =
-      QString("Coverage %1 % of %2 frames").arg(100 * *share, 0, 'f', 0).arg(coverage.user_frames());
-  return coverage.is_estimated() ? text + QString(", from 1 in %1").arg(coverage.frames_each()) : text;
+  return QString("Coverage %1%2 % of %3 frames")
+      .arg(coverage.is_estimated() ? "\u2248 " : "")
+      .arg(100 * *share, 0, 'f', 0)
+      .arg(coverage.user_frames());
 }
 
 void TakeList::look(int take, int frame) {

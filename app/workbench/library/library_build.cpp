@@ -229,9 +229,12 @@ void LibraryBuild::build() {
                                              manifest, file.toStdString(), std::move(warnings));
     return [this, material] {
       m_dialog->endProgress();
+      bool is_taken = true;
+      emit built(material, is_taken);
+      if (!is_taken)
+        return m_dialog->showError("The library was not opened, because the present session stays");
       m_finished = true;
       m_dialog->close();
-      emit built(material);
     };
   };
   begin(std::move(work), "Building");

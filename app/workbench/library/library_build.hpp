@@ -35,7 +35,8 @@ class LibraryBuild : public QObject {
 
  signals:
   /// Its warnings include what was written.
-  void built(const abrazo::Material& material);
+  /// @param is_taken  to be set to false if the present session stays: the dialog stays, too
+  void built(const abrazo::Material& material, bool& is_taken);
   void userChosen(const QStringList& files);
   /// The dialog was closed without a result and has no plan that could be continued.
   void givenUp();

@@ -107,9 +107,6 @@ void LibraryDesk::offer(const QStringList& files) {
   if (!m_build) {
     m_build = new LibraryBuild(&m_window, m_window.colours());
     m_build->setJointMaps(m_window.remembered().jointMapFolder());
-    connect(m_build, &LibraryBuild::built, this, [this](const Material& material) {
-      m_window.openMaterial([material](const Progress&) -> Result<Material> { return material; }, m_videos);
-    });
     connect(m_build, &LibraryBuild::userChosen, this,
             [this](const QStringList& chosen) { m_window.openFiles(chosen + m_videos); });
     const auto end = [this] {
@@ -122,7 +119,13 @@ void LibraryDesk::offer(const QStringList& files) {
       end();
       offer({});
     });
-    connect(m_build, &LibraryBuild::built, this, end);
+    connect(m_build, &LibraryBuild::built, this, [this, end](const Material& material, bool& is_taken) {
+      is_taken = m_window.isLeft();
+      if (!is_taken) return;
+      m_window.openMaterial([material](const Progress&) -> Result<Material> { return material; }, m_videos,
+                            MainWindow::AsksToLeave::Asked);
+      end();
+    });
     connect(m_build, &LibraryBuild::userChosen, this, end);
   }
   QStringList others;

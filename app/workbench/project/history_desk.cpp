@@ -16,6 +16,7 @@
 #include "core/base/text.hpp"
 #include "core/session/frames/time_place.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/takes/recording_status.hpp"
 #include "widgets/timeline/quick_entry.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
@@ -42,11 +43,11 @@ QFileInfoList parts_in(const QString& folder) {
   return QDir(folder).entryInfoList({"*.abrazo"}, QDir::Files, QDir::Time | QDir::Reversed);
 }
 
-HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double gigabytes) {
+HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, std::uint64_t bytes) {
   QMessageBox box(QMessageBox::NoIcon, "Abrazo",
-                  QString("Keep the history of this session: %1, %2 GB on disk?")
+                  QString("Keep the history of this session: %1, %2 on disk?")
                       .arg(clock_words(seconds))
-                      .arg(gigabytes, 0, 'f', 2),
+                      .arg(QString::fromStdString(widgets::disk_size_text(bytes))),
                   QMessageBox::Cancel, &window);
   box.setInformativeText(
       "It is not in a session file; saving the session adds it. If you keep it, it is offered as a session "
@@ -92,9 +93,9 @@ HistoryDesk::HistoryDesk(MainWindow& window, std::function<bool()> has_takes)
   connect(&window.document(), &Document::ending, this, &HistoryDesk::end);
   connect(&m_timer, &QTimer::timeout, this, &HistoryDesk::look);
   ask = [this](double seconds) {
-    double bytes = 0;
-    for (const QFileInfo& part : parts_in(m_folder)) bytes += static_cast<double>(part.size());
-    return ask_about_history(m_window, seconds, bytes / gigabyte);
+    std::uint64_t bytes = 0;
+    for (const QFileInfo& part : parts_in(m_folder)) bytes += static_cast<std::uint64_t>(part.size());
+    return ask_about_history(m_window, seconds, bytes);
   };
   m_timer.start(look_ms);
 }

@@ -51,7 +51,10 @@ class MainWindow : public QMainWindow {
   /// When the user is asked about work that the present session would lose. Saving changes a session file, so
   /// for one it is before reading. Other files are read first: of one that cannot be opened, or has a
   /// question of its own, nothing is lost yet.
-  enum class AsksToLeave { BeforeReading, BeforeStart };
+  enum class AsksToLeave { BeforeReading, BeforeStart, Asked };
+  /// Asks whether the present session may end. @return false if it stays, or something else is opened or
+  /// closed meanwhile
+  bool isLeft();
   /// @param files source files, for the list of recent files
   void openMaterial(MakeMaterial make, const QStringList& files = {},
                     AsksToLeave asks = AsksToLeave::BeforeReading);
@@ -184,8 +187,6 @@ class MainWindow : public QMainWindow {
   FrameTicker m_ticker;
   std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the
                                          // destructor
-  /// @return false if the present session stays, or something else is opened or closed meanwhile
-  bool isLeft();
   LocateMissing m_locate;
   std::unique_ptr<Job> m_job;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
+#include <utility>
 
 #include "core/motion/body/joint_set.hpp"
 #include "widgets/scene/values/contact_shapes.hpp"
@@ -34,7 +36,8 @@ PickText describe_joint(const FrameSnapshot& frame, int vertex) {
   told.lines.push_back(
       text_of_fact("at %.3f, %.3f, %.3f m", facts.position.x(), facts.position.y(), facts.position.z()));
   if (facts.to_user_m) told.lines.push_back(text_of_fact("%.0f mm from the user's", 1000 * *facts.to_user_m));
-  told.lines.push_back(text_of_fact("%.0f mm from the selected pair's", 1000 * facts.to_selected_m));
+  if (frame.result.selected >= 0)  // the pair of a library that is not open is not known
+    told.lines.push_back(text_of_fact("%.0f mm from the selected pair's", 1000 * facts.to_selected_m));
   told.lines.push_back(
       text_of_fact("nearest: %s, %.3f m", vertex_name(facts.nearest_partner).c_str(), facts.to_partner_m));
   add_contacts(told, frame, vertex);
@@ -78,7 +81,10 @@ PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLi
   PickText told{text_of_fact("pair %d", pair), {}};
   if (library && pair >= 0 && pair < library->pair_count()) {
     told.title = text_of_fact("%s · %u", library->take_of(pair).name.c_str(), library->source(pair).frame);
-    if (!library->label(pair).empty()) told.lines.emplace_back(library->label(pair));
+    if (std::string move(library->label(pair)); !move.empty()) {
+      std::ranges::replace(move, '_', ' ');
+      told.lines.push_back(std::move(move));
+    }
   }
   const auto place = candidate_of(frame, pair);
   if (!place) {
