@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextTable>
 
 #include "app/workbench/export/export_dialog.hpp"
 #include "app/workbench/keys/command_meaning.hpp"
@@ -148,6 +149,19 @@ TEST_F(HelpAndSearch, PagesOfTheWindowComeBeforeThoseOfProgramming) {
   EXPECT_LT(pages.indexOf("Annotation"), pages.indexOf("Command line"));
   EXPECT_LT(pages.indexOf("Reference video"), pages.indexOf("Embedding"));
   EXPECT_LT(pages.indexOf("Recording"), pages.indexOf("Datasets of two people"));
+  help().close();
+}
+
+TEST_F(HelpAndSearch, TablesOfTheGuideHaveOneThinLineBetweenCells) {
+  press(Qt::Key_F1);
+  int tables = 0;
+  for (QTextFrame* frame : help().findChild<QTextBrowser*>()->document()->rootFrame()->childFrames())
+    if (const auto* table = qobject_cast<QTextTable*>(frame)) {
+      EXPECT_TRUE(table->format().borderCollapse());
+      EXPECT_LT(table->format().borderBrush().color().alphaF(), 0.5);
+      ++tables;
+    }
+  EXPECT_GT(tables, 0);
   help().close();
 }
 

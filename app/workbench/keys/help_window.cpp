@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -62,10 +63,12 @@ int place_of_page(const QString& address) {
 
 }  // namespace
 
-/// A page of the guide; pictures are as wide as the page at most.
+/// A page of the guide; pictures are as wide as the page at most, tables have thin lines.
 class HelpPage : public QTextBrowser {
  public:
-  using QTextBrowser::QTextBrowser;
+  explicit HelpPage(QWidget* parent) : QTextBrowser(parent) {
+    connect(this, &QTextBrowser::sourceChanged, this, &HelpPage::dressTables);
+  }
 
   void open(const QUrl& to) {
     if (to.scheme().startsWith("http")) return void(QDesktopServices::openUrl(to));
@@ -91,6 +94,24 @@ class HelpPage : public QTextBrowser {
 
  private:
   QString m_keys;
+
+  /// By default every cell has a bright frame of its own.
+  void dressTables() {
+    QColor line = palette().color(QPalette::Text);
+    line.setAlphaF(0.2);
+    for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
+      auto* table = qobject_cast<QTextTable*>(frame);
+      if (!table) continue;
+      QTextTableFormat format = table->format();
+      format.setBorder(1);
+      format.setBorderBrush(line);
+      format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+      format.setBorderCollapse(true);
+      format.setCellPadding(5);
+      format.setCellSpacing(0);
+      table->setFormat(format);
+    }
+  }
 
   void goTo(const QString& heading) {
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
