@@ -34,7 +34,7 @@ struct PerformerHealth {
   bool tracked = false;        ///< now
   bool calibrated = false;
   std::vector<std::string> calibration_doubts;  ///< deviations from a T-pose, with what to change
-  std::string joint_map;  ///< "unity", ...
+  std::string joint_map;                        ///< "unity", ...
   std::vector<std::string> estimated_joints;
   double height_m = 0;     ///< of the head joint
   std::string correction;  ///< correction of the sender's positions: "unit cm, Z up, floor +0.12 m"; or empty
