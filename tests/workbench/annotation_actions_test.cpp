@@ -4,19 +4,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableWidget>
-#include <QTimer>
 #include <QToolButton>
-#include <QTreeView>
 
 #include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "core/opening/file_kinds.hpp"
-#include "tests/workbench/demo_window.hpp"
+#include "tests/workbench/annotating_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/annotation/problem_list.hpp"
 #include "widgets/annotation/value_picker.hpp"
-#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -24,108 +21,7 @@
 namespace abrazo::app::annotation_actions_test {
 namespace {
 
-using widgets::TimelineView;
-using widgets::ValuePicker;
-
-class Annotating : public DemoWindow {
- protected:
-  static void SetUpTestSuite() { showDemo({1500, 950}); }
-  void SetUp() override {
-    ASSERT_TRUE(until([] { return ticker().shown() != nullptr; }, 120'000)) << "the demo did not start";
-    if (auto* picker = open_picker()) QTest::keyClick(picker->findChild<QLineEdit*>(), Qt::Key_Escape);
-    desk().showSubject(take());
-    empty();
-    window().document().setConflict(Conflict::Replace);
-    ticker().setRange(0, 0);
-    ticker().setLoop(false);
-    ticker().setSpeed(1);
-    ticker().seek(1);
-    DemoWindow::SetUp();
-    timeline().showAll();
-    timeline().setFocus(Qt::OtherFocusReason);
-    turn();
-  }
-
-  static AnnotationDesk& desk() { return *window().findChild<AnnotationDesk*>(); }
-  static TimelineView& timeline() { return window().timeline(); }
-  static const MotionLibrary& library() { return *window().session()->material().library; }
-  static std::string take() { return library().takes().front().name; }
-  static const AnnotationTier& tier(TierKind kind = TierKind::Move) {
-    return *window().document().annotations().first_of(kind);
-  }
-  static const std::vector<Annotation>& labels(TierKind kind = TierKind::Move) {
-    return tier(kind).annotations;
-  }
-  /// No label in any tier; moves "one" and "two" have the keys 1 and 2, and are active.
-  static void empty() {
-    Annotations next = window().document().annotations();
-    const auto tiers = next.tiers();
-    for (const AnnotationTier& each : tiers)
-      for (const Annotation& label : each.annotations) ASSERT_TRUE(next.remove(label.id));
-    const int moves = next.first_of(TierKind::Move)->id;
-    ASSERT_TRUE(next.set_vocabulary(moves, {{"one", "", {}, '1'}, {"two", "", {}, '2'}}));
-    window().document().changeAnnotations(next, "empty");
-    window().document().chooseTier(moves);
-    window().document().selectLabel(0);
-  }
-  static int add(double from_s, double to_s, const std::string& value) {
-    Annotations next = window().document().annotations();
-    const auto id = next.draw(tier().id, from_s, to_s, value, Conflict::Replace, desk().range());
-    EXPECT_TRUE(id);
-    window().document().changeAnnotations(next, "draw");
-    return *id;
-  }
-  static const Annotation& label(int id) { return *window().document().annotations().find(id); }
-
-  static QPoint at(double time_s, int tier) {
-    return {static_cast<int>(std::lround(timeline().axis().x(time_s))),
-            static_cast<int>(timeline().lanes().top_of_tier(tier) + 13)};
-  }
-  static void drag(double from_s, double to_s, Qt::KeyboardModifiers held = {}) {
-    const int id = tier().id;
-    QTest::mousePress(&timeline(), Qt::LeftButton, held, at(from_s, id));
-    for (int step = 1; step <= 4; ++step) {
-      const QPoint place = at(from_s + (to_s - from_s) * step / 4, id);
-      QMouseEvent move(QEvent::MouseMove, place, timeline().mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
-                       held);
-      QApplication::sendEvent(&timeline(), &move);
-    }
-    QTest::mouseRelease(&timeline(), Qt::LeftButton, held, at(to_s, id));
-    turn();
-  }
-  static ValuePicker* open_picker() {
-    auto* picker = window().findChild<ValuePicker*>();
-    return picker && picker->isVisible() ? picker : nullptr;
-  }
-  static void type(int key) {
-    ASSERT_TRUE(open_picker());
-    QTest::keyClick(open_picker()->findChild<QLineEdit*>(), static_cast<Qt::Key>(key));
-    turn();
-  }
-  /// The key of a value, after which nothing else is typed.
-  static void choose(int key) {
-    type(key);
-    EXPECT_TRUE(until([] { return !open_picker(); }));
-  }
-  static void key(int key, Qt::KeyboardModifiers held = {}) {
-    QTest::keyClick(&timeline(), static_cast<Qt::Key>(key), held);
-    turn();
-  }
-  static double frame_s() { return 1 / desk().fps(); }
-  static bool on_frame(double time_s) {
-    return std::abs(time_s * desk().fps() - std::round(time_s * desk().fps())) < 1e-6;
-  }
-  /// Releases the key of a label that was begun then: it is the only one, and ends now.
-  static void let_go_of_the_label_from(double from_s) {
-    QTest::keyRelease(&timeline(), Qt::Key_1);
-    const double to_s = ticker().playback().cursor_s;
-    until([] { return !labels().empty(); });
-    ticker().pause();
-    ASSERT_EQ(labels().size(), 1u);
-    EXPECT_NEAR(labels()[0].start_s, from_s, 0.05);
-    EXPECT_NEAR(labels()[0].end_s, to_s, 0.05);
-  }
-};
+using annotating_window::Annotating;
 
 TEST_F(Annotating, ATakeIsLookedAtFrameByFrameAndTheSessionComesBackAsItWas) {
   const LibraryTake about = library().takes().front();
@@ -324,151 +220,6 @@ TEST_F(Annotating, NLabelsWhatIsBetweenInAndOut) {
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_NEAR(labels()[0].start_s, 2, 1e-6);
   EXPECT_NEAR(labels()[0].end_s, 3.5, 1e-6);
-}
-
-TEST_F(Annotating, AKeyAtAStandingCursorSaysItFromThereOn) {
-  ticker().seek(2);
-  turn();
-  key(Qt::Key_1);
-  ASSERT_EQ(labels().size(), 1u);
-  EXPECT_NEAR(labels()[0].end_s, desk().range().last_s, 1e-9);
-  ticker().seek(5);
-  turn();
-  key(Qt::Key_2);
-  ASSERT_EQ(labels().size(), 2u);
-  EXPECT_NEAR(labels()[0].end_s, labels()[1].start_s, 1e-9);
-  EXPECT_EQ(labels()[1].value, "two");
-  ticker().seek(3);
-  turn();
-  key(Qt::Key_2);
-  EXPECT_NEAR(labels()[1].end_s, 5, 0.02) << "to where the next one begins";
-}
-
-TEST_F(Annotating, AKeyGivesTheSelectedLabelItsValue) {
-  const int id = add(3, 5, "one");
-  window().document().selectLabel(id);
-  key(Qt::Key_2);
-  EXPECT_EQ(label(id).value, "two");
-  EXPECT_EQ(labels().size(), 1u);
-}
-
-TEST_F(Annotating, AHeldKeyLabelsWhileTheTakePlays) {
-  ticker().seek(2);
-  ticker().toggle();
-  turn();
-  QTest::keyPress(&timeline(), Qt::Key_1);
-  const double from = ticker().playback().cursor_s;
-  until([from] { return ticker().playback().cursor_s > from + 0.4; });
-  EXPECT_FALSE(timeline().tiers().running.empty());
-  let_go_of_the_label_from(from);
-  ASSERT_FALSE(labels().empty());
-  EXPECT_TRUE(on_frame(labels()[0].start_s));
-  EXPECT_TRUE(timeline().tiers().running.empty());
-}
-
-/// As a keyboard reports a key that is held. @param flagged  whether the window system says what it is
-void repeat(QWidget& to, bool flagged) {
-  QKeyEvent up(QEvent::KeyRelease, Qt::Key_1, {}, "1", flagged);
-  QApplication::sendEvent(&to, &up);
-  QKeyEvent may_be_kept(QEvent::ShortcutOverride, Qt::Key_1, {}, "1", flagged);
-  may_be_kept.ignore();
-  QApplication::sendEvent(&to, &may_be_kept);
-  QKeyEvent down(QEvent::KeyPress, Qt::Key_1, {}, "1", flagged);
-  QApplication::sendEvent(&to, &down);
-}
-
-/// A busy machine reported the repetition as releases and presses, which drew three labels.
-TEST_F(Annotating, AHeldKeyDrawsOneLabelHoweverTheKeyboardRepeatsIt) {
-  ticker().seek(2);
-  ticker().toggle();
-  turn();
-  const auto play_on = [] {
-    const double here = ticker().playback().cursor_s;
-    ASSERT_TRUE(until([here] { return ticker().playback().cursor_s > here + 0.1; }));
-  };
-  QTest::keyPress(&timeline(), Qt::Key_1);
-  const double from = ticker().playback().cursor_s;
-  for (const bool flagged : {true, false, false, true}) {
-    play_on();
-    repeat(timeline(), flagged);
-  }
-  play_on();
-  bool pressed = false;
-  QTest::keyRelease(&timeline(), Qt::Key_1);
-  QTimer::singleShot(0, &timeline(), [&pressed] {
-    QTest::keyPress(&timeline(), Qt::Key_1);
-    pressed = true;
-  });
-  ASSERT_TRUE(until([&pressed] { return pressed; })) << "in another turn of the window";
-  play_on();
-  EXPECT_TRUE(labels().empty());
-  let_go_of_the_label_from(from);
-}
-
-/// After a click into the scene a digit turned the camera and labelled nothing.
-TEST_F(Annotating, ValueKeysWorkWhereverTheFocusIsButInAField) {
-  widgets::SceneView& scene = window().scene();
-  QWidget* view = nullptr;
-  for (QWidget* child : scene.findChildren<QWidget*>())
-    if (!view && child->focusPolicy() == Qt::StrongFocus && child->isVisible()) view = child;
-  ASSERT_TRUE(view);
-  QTreeView list(&window());
-  list.show();
-  double at_s = 1;
-  for (QWidget* place : {view, static_cast<QWidget*>(&list)}) {
-    empty();
-    ticker().seek(at_s += 1);
-    place->setFocus(Qt::MouseFocusReason);
-    turn();
-    QTest::keyClick(place, Qt::Key_2);
-    turn();
-    ASSERT_EQ(labels().size(), 1u) << place->metaObject()->className();
-    EXPECT_EQ(labels()[0].value, "two");
-    EXPECT_NEAR(labels()[0].start_s, at_s, 0.05);
-  }
-  QLineEdit field(&window());
-  field.show();
-  field.setFocus();
-  QTest::keyClick(&field, Qt::Key_1);
-  turn();
-  EXPECT_EQ(field.text(), "1");
-  EXPECT_EQ(labels().size(), 1u);
-  EXPECT_EQ(labels()[0].value, "two");
-}
-
-TEST_F(Annotating, TappingEndsTheLastAndBeginsTheNext) {
-  QAction* taps = action("Tap mode: each key starts the next label");
-  ASSERT_TRUE(taps);
-  taps->trigger();
-  ticker().seek(2);
-  ticker().toggle();
-  turn();
-  key(Qt::Key_1);
-  double here = ticker().playback().cursor_s;
-  until([here] { return ticker().playback().cursor_s > here + 0.3; });
-  key(Qt::Key_2);
-  here = ticker().playback().cursor_s;
-  until([here] { return ticker().playback().cursor_s > here + 0.3; });
-  ticker().pause();
-  until([] { return labels().size() == 2; });
-  taps->trigger();
-  ASSERT_EQ(labels().size(), 2u);
-  EXPECT_NEAR(labels()[0].end_s, labels()[1].start_s, 1e-9);
-  EXPECT_EQ(labels()[1].value, "two");
-}
-
-TEST_F(Annotating, ALoopThatStartsOverEndsWhatIsHeld) {
-  ticker().setRange(2, 2.5);
-  ticker().setLoop(true);
-  ticker().seek(2.2);
-  ticker().toggle();
-  turn();
-  QTest::keyPress(&timeline(), Qt::Key_1);
-  until([] { return !labels().empty(); });
-  QTest::keyRelease(&timeline(), Qt::Key_1);
-  ticker().pause();
-  ASSERT_EQ(labels().size(), 1u);
-  EXPECT_NEAR(labels()[0].end_s, 2.5, 0.03);
 }
 
 TEST_F(Annotating, TheRoleChangesAtTheCursor) {
