@@ -12,23 +12,6 @@ std::string fresh_name(const Annotations& annotations, const std::string& wanted
   return name;
 }
 
-/// Values that the vocabulary does not have yet; without the key where another has it.
-std::vector<VocabularyEntry> joined(std::vector<VocabularyEntry> vocabulary, const Tier& read) {
-  const auto has = [&vocabulary](const auto& is) {
-    return std::any_of(vocabulary.begin(), vocabulary.end(), is);
-  };
-  std::vector<VocabularyEntry> more = read.vocabulary;
-  for (const VocabularyEntry& each : vocabulary_of(read.intervals)) more.push_back(each);
-  for (VocabularyEntry& entry : more) {
-    if (entry.value.empty() ||
-        has([&entry](const VocabularyEntry& known) { return known.value == entry.value; }))
-      continue;
-    if (has([&entry](const VocabularyEntry& known) { return known.key == entry.key; })) entry.key = 0;
-    vocabulary.push_back(std::move(entry));
-  }
-  return vocabulary;
-}
-
 Status fill_tier(Annotations& next, int tier, const Tier& read, const Annotations::Range& range) {
   const auto before = next.tier(tier)->annotations;
   for (const Annotation& each : before)
@@ -79,7 +62,7 @@ Result<Annotations> with_imported(const std::vector<Tier>& read, const std::vect
     if (!known) return Error{"the tier no longer exists", tier.name};
     const bool has_values = !known->vocabulary.empty() || !tier.vocabulary.empty();
     if (has_values && known->kind != TierKind::Role)
-      if (const Status set = next.set_vocabulary(id, joined(known->vocabulary, tier)); !set)
+      if (const Status set = next.set_vocabulary(id, with_values_of(known->vocabulary, tier)); !set)
         return set.error();
     if (const Status filled = fill_tier(next, id, tier, range); !filled)
       return Error{filled.error().message, tier.name};

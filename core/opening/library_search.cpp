@@ -38,7 +38,7 @@ LibraryPtr annotated(const LibraryPtr& library, const AnnotationBook& book) {
 /// Of what is open the library alone, and where it is from.
 Material library_of(const Material& open) {
   Material material;
-  material.library = open.library;
+  material.library = open.library_of_files();
   material.library_file = open.library_file;
   material.manifest = open.manifest;
   material.is_generated = open.is_generated;
@@ -141,14 +141,14 @@ std::vector<LibrarySearch::Place> LibrarySearch::places(const SessionLibrary* re
 
 /// The library of the reference made of one that may be it: as it is, or with what was said of its takes.
 FoundLibrary LibrarySearch::made_of(Material base, const SessionLibrary* reference) const {
-  FoundLibrary found{std::move(base), nullptr, Done{}};
+  FoundLibrary found{std::move(base), Done{}};
   if (!reference) return found;
   found.fits = check_session_library(*reference, *found.material.library);
   if (found.fits) return found;
   const LibraryPtr library = annotated(found.material.library, clues_.project->project().annotations);
   if (!library || !check_session_library(*reference, *library)) return found;
   found.fits = Done{};
-  found.before = std::exchange(found.material.library, library);
+  found.material.unannotated = std::exchange(found.material.library, library);
   return found;
 }
 

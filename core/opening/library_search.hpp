@@ -26,9 +26,7 @@ struct LibraryClues {
 };
 
 struct FoundLibrary {
-  Material material;  ///< library and its origin; for a generated set also the input
-  /// The library before its takes were annotated in the window, which earlier frames may refer to. Or null.
-  std::shared_ptr<const MotionLibrary> before;
+  Material material;     ///< library and its origin; for a generated set also the input
   Status fits = Done{};  ///< an Error if frames were solved with a library of other content
 };
 

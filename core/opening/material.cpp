@@ -81,6 +81,18 @@ Clip clip_of_take(const MotionLibrary& library, int take) {
   return clip;
 }
 
+Material for_next_session(const Material& open) {
+  Material material = open;
+  material.library = open.library_of_files();
+  material.unannotated.reset();
+  material.warnings.clear();
+  material.recorded.reset();
+  material.project.reset();
+  material.stands_in = false;
+  material.is_doubtful = false;
+  return material;
+}
+
 Material danced_with(const Material& open, int take) {
   Material material = open;
   material.recorded.reset();

@@ -31,6 +31,9 @@ struct RecordedSession {
 /// continues, or has a name and a rate but no poses.
 struct Material {
   std::shared_ptr<const MotionLibrary> library;
+  /// The library without the annotations that a session put into its takes since it was read, built or
+  /// written. Null: it has none of them.
+  std::shared_ptr<const MotionLibrary> unannotated;
   std::string library_file;  ///< library or manifest; empty if the library is not a file
   /// The manifest of a library that is not a file; null if it has none, or was changed since.
   std::shared_ptr<const Manifest> manifest;
@@ -47,6 +50,10 @@ struct Material {
   std::shared_ptr<const RecordedSession> recorded;  ///< null: nothing was recorded before
   std::shared_ptr<const OpenedProject> project;     ///< null: not opened from a session file
 
+  /// The library that its files have.
+  const std::shared_ptr<const MotionLibrary>& library_of_files() const {
+    return unannotated ? unannotated : library;
+  }
   /// Nobody plays the user until a stream is connected.
   bool is_only_recorded() const { return recorded && input.poses.empty(); }
   /// Motion, skeleton and joint map of the input; none if it is a take of the library.
@@ -57,6 +64,10 @@ struct Material {
 
 /// The active performer of a take in the library, world.
 Clip clip_of_take(const MotionLibrary& library, int take);
+
+/// What another session on the open library begins with: no recording, no project, and no annotations of its
+/// takes, of which those that are saved are put in again.
+Material for_next_session(const Material& open);
 
 /// The open material with a take of its library as the user; that take is then excluded from selection.
 Material danced_with(const Material& open, int take);

@@ -108,12 +108,7 @@ Result<Material> open_files(const OpeningWish& wish, const Progress& progress) {
   const auto files = sorted(wish.files);
   if (!files) return files.error();
   if (!files->session.empty()) return open_as_session(*files, wish, progress);
-  Material material = wish.open;
-  material.warnings.clear();
-  material.recorded.reset();
-  material.project.reset();
-  material.stands_in = false;
-  material.is_doubtful = false;
+  Material material = for_next_session(wish.open);
   const bool has_motion = !files->motion.empty();
   if (has_motion)
     if (const Status read = read_as_wished(*files, wish, material, progress); !read) return read.error();

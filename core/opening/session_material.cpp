@@ -62,7 +62,7 @@ Result<FoundLibrary> stand_in(const Error& why, const OpenedProject& project, co
   if (!files.empty())
     dance->warnings.push_back(fmt::format("of the library {} not there: {}", files.size() == 1 ? "is" : "are",
                                           fmt::join(files, ", ")));
-  return FoundLibrary{std::move(*dance), nullptr, Done{}};
+  return FoundLibrary{std::move(*dance), Done{}};
 }
 
 Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish& wish,
@@ -72,7 +72,7 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
   const OpenedProject& project = *session.project;
   if (!has_frames && wish.library.empty() && says_nothing_of_library(project.project())) {
     auto dance = generated_dance(progress);
-    return dance ? Result<FoundLibrary>(FoundLibrary{std::move(*dance), nullptr, Done{}}) : dance.error();
+    return dance ? Result<FoundLibrary>(FoundLibrary{std::move(*dance), Done{}}) : dance.error();
   }
   LibrarySearch search({project.file, references, session.project, wish.library, wish.open});
   const SessionLibrary* reference = reference_of(session);
@@ -106,7 +106,9 @@ Status add_frames(const OpenedSession& session, const FoundLibrary& found, bool 
                   const Progress& progress, Material& material) {
   const SessionReading& recording = session.recording;
   const std::string& file = session.project->file;
-  for (const auto& library : {found.material.library, found.before}) recording.frames->add_library(library);
+  // Earlier frames may be of the library before its takes were annotated.
+  for (const auto& library : {found.material.library, found.material.unannotated})
+    recording.frames->add_library(library);
   // Timeline and plots ask for it as soon as it is open, on the window's thread: then it is there.
   const FrameStore::Span span = recording.frames->span();
   report(progress, 0.8, "Reading the recorded frames");

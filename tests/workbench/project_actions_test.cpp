@@ -20,6 +20,7 @@
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "core/opening/session_material.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_file.hpp"
@@ -27,6 +28,7 @@
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
+#include "widgets/library/take_list.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -45,7 +47,10 @@ class ProjectActions : public DemoWindow {
     desk().ask = [this] { return ++asked, answer; };
     window().findChild<HistoryDesk*>()->ask = [](double) { return HistoryDesk::Answer::Discard; };
   }
-  void TearDown() override { desk().setAsks(false); }
+  void TearDown() override {
+    desk().setAsks(false);
+    window().document().noteSaved({});  // labels of takes that were saved stay in the window's next sessions
+  }
 
   static ProjectDesk& desk() { return *window().findChild<ProjectDesk*>("project desk"); }
   static TakeDesk& takes() { return *window().findChild<TakeDesk*>(); }
@@ -84,6 +89,29 @@ class ProjectActions : public DemoWindow {
     for (const AnnotationTier& tier : window().document().live().annotations().of("").tiers())
       count += tier.annotations.size();
     return count;
+  }
+  static const Material& material() { return window().session()->material(); }
+  /// Somebody else leads in the first take, and it begins with a move that no take had; the library has it.
+  static void relabel_the_first_take() {
+    const std::string take = material().library->takes().front().name;
+    annotations().showSubject(take);
+    Annotations next = window().document().annotations();
+    const auto range = annotations().range();
+    const int moves = next.first_of(TierKind::Move)->id, roles = next.first_of(TierKind::Role)->id;
+    auto words = next.tier(moves)->vocabulary;
+    words.insert(words.begin(), {"a new move"});
+    ASSERT_TRUE(next.set_vocabulary(moves, words));
+    ASSERT_TRUE(next.draw(moves, 0, 0.5, "a new move", Conflict::Replace, range));
+    ASSERT_TRUE(next.draw(roles, 0, 1, "b", Conflict::Replace, range));
+    window().document().changeAnnotations(next, "label");
+    ASSERT_TRUE(until([] {
+      const auto& labels = material().library->takes().front().labels;
+      return !labels.empty() && labels.front().label == "a new move";
+    }));
+  }
+  static Annotations said_of(const std::string& subject) {
+    annotations().showSubject(subject);
+    return window().document().annotations();
   }
   static bool is_modified() {
     desk().refresh();
@@ -335,6 +363,69 @@ TEST_F(ProjectActions, NothingIsLostWithoutBeingAsked) {
   EXPECT_EQ(annotated(), 0U);
   reopen([] { window().openDemo(); });
   EXPECT_EQ(asked, 3);  // there was nothing to lose
+}
+
+/// They were there again in the next session, and the keys of the words were others.
+TEST_F(ProjectActions, DiscardedLabelsOfATakeAreGoneWhileItsLibraryStaysOpen) {
+  const auto library = material().library;
+  const std::string first = library->takes()[0].name, second = library->takes()[1].name;
+  const Annotations of_session = said_of(""), of_first = said_of(first), of_second = said_of(second);
+  relabel_the_first_take();
+  const QString motion = file("walk.bvh");
+  std::ofstream(motion.toStdString()) << *write_bvh(std::vector<Clip>{clip_of_take(*library, 1)});
+  answer = ProjectDesk::Answer::Discard;
+  reopen([&motion] { window().openFiles({motion}); });
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(material().reading.file, motion.toStdString());
+  EXPECT_EQ(material().library, library) << "as its file, or what generates it, has it";
+  EXPECT_EQ(said_of(""), of_session);
+  EXPECT_EQ(said_of(first), of_first);
+  EXPECT_EQ(said_of(second), of_second);
+  EXPECT_FALSE(is_modified());
+  relabel_the_first_take();
+  reopen([] { window().openDemo(); });  // which makes the library again
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(said_of(first), of_first);
+  EXPECT_EQ(material().library->takes()[0].labels, library->takes()[0].labels);
+}
+
+TEST_F(ProjectActions, SavedLabelsOfATakeAreThereInTheNextSessionOnItsLibrary) {
+  const auto library = material().library;
+  const std::string first = library->takes()[0].name;
+  relabel_the_first_take();
+  const Annotations saved = said_of(first);
+  save_as("labelled.abrazo");
+  Annotations next = saved;
+  ASSERT_TRUE(next.remove(next.first_of(TierKind::Move)->annotations.front().id));
+  window().document().changeAnnotations(next, "delete");
+  answer = ProjectDesk::Answer::Discard;
+  reopen([] { window().takes().setSelectedTake(1), window().takes().dance(); });
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(said_of(first), saved) << "what was changed after the save is gone";
+  EXPECT_TRUE(until([] { return material().library->takes().front().labels.front().label == "a new move"; }));
+  EXPECT_FALSE(is_modified());
+}
+
+/// Those of subjects that nobody had labelled were given anew, with the new move among them.
+TEST_F(ProjectActions, TheKeysOfWordsAreTheSameWhenASessionIsOpenedAgain) {
+  const auto words_of = [](const std::string& subject) {
+    return said_of(subject).first_of(TierKind::Move)->vocabulary;
+  };
+  const std::string second = material().library->takes()[1].name;
+  const auto of_session = words_of(""), of_second = words_of(second);
+  relabel_the_first_take();
+  const auto of_first = words_of(material().library->takes()[0].name);
+  save_as("keys.abrazo");
+  desk().setAsks(false);
+  reopen([] { window().openDemo(); });
+  reopen([] { window().openFiles({file("keys.abrazo")}); });
+  desk().setAsks(true);
+  EXPECT_EQ(words_of(material().library->takes()[0].name), of_first);
+  for (const auto& [subject, before] : {std::pair(std::string(), of_session), {second, of_second}}) {
+    auto expected = before;
+    expected.push_back({"a new move"});
+    EXPECT_EQ(words_of(subject), expected) << subject;
+  }
 }
 
 TEST_F(ProjectActions, SaveIsAnAnswerThatSavesBeforeItGoesOn) {

@@ -203,13 +203,18 @@ void Document::endSession() {
 }
 
 void Document::beginSession(PreparedSolver prepared) {
-  const bool same_library = m_session && m_session->material().library == prepared.material.library;
+  const auto before = m_session ? m_session->material().library : nullptr;
+  const bool same_library =
+      m_session && m_session->material().library_of_files() == prepared.material.library_of_files();
   tryPin({});
   m_undo.clear();  // its steps are of the session that ends
   endSession();
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();
-  const auto changed = m_live.begin_session(*m_session->material().library, same_library);
+  const Material& material = m_session->material();
+  auto changed = m_live.begin_session(*material.library_of_files(), same_library);
+  if (same_library && before != material.library)  // its pairs may have other numbers without annotations
+    for (const ProjectPart part : m_live.replace_library(*before, *material.library)) changed.push_back(part);
   m_labels.begin(annotations());
   tellSolver(ProjectPart::Settings);  // they may have changed while it was prepared
   tellSolver(ProjectPart::Decisions);
@@ -225,19 +230,21 @@ void Document::openRecording(const RecordedSession& recorded) {
 void Document::openProject(const OpenedProject& opened) {
   const Project& saved = opened.project();
   if (!opened.reading.is_saved) {
-    if (!saved.annotations.empty()) openAnnotations(saved.annotations);
+    if (!saved.annotations.empty()) openAnnotations(opened);
     return;
   }
   announce(m_live.open(saved));
   controlRole(saved.decisions.role_control);
-  openAnnotations(saved.annotations);
+  openAnnotations(opened);
   QStringList videos;
   for (const std::string& place : opened.video_places()) videos << QString::fromStdString(place);
   emit videosOpened(saved.videos, videos);
 }
 
-void Document::openAnnotations(const AnnotationBook& book) {
-  announce(m_live.open_annotations(book, *m_session->material().library));
+void Document::openAnnotations(const OpenedProject& opened) {
+  const bool is_saved = opened.autosave.empty();
+  announce(m_live.open_annotations(opened.project().annotations, *m_session->material().library_of_files(),
+                                   is_saved));
   emit annotationsReplaced();
 }
 
@@ -255,7 +262,7 @@ void Document::setSubject(const std::string& subject) {
   if (subject == m_subject) return;
   tryPin({});
   m_subject = subject;
-  if (m_session) m_live.begin_annotations(subject, *m_session->material().library);
+  if (m_session) m_live.begin_annotations(subject, *m_session->material().library_of_files());
   m_labels.begin(annotations());
   emit subjectChanged();
   emit changed(ProjectPart::Markers);

@@ -66,6 +66,8 @@ class Document : public QObject {
   }
   void replaceVideos(VideoStates videos) { announce(m_live.replace_videos(std::move(videos))); }
   void putSettings(const Settings& settings) { put(m_live.with_settings(settings)); }
+  /// These annotations are in a session file now; the next session drops all others.
+  void noteSaved(const AnnotationBook& book) { m_live.note_saved(book); }
   /// Refused if the library lacks the annotations for it. @return whether it was done
   bool controlRole(RoleControl by);
   /// A pair that is tried on the parked frame: solved again there, without effect on the live solver. None
@@ -124,7 +126,7 @@ class Document : public QObject {
   void beginSession(PreparedSolver prepared);
   void openRecording(const RecordedSession& recorded);
   void openProject(const OpenedProject& opened);
-  void openAnnotations(const AnnotationBook& book);
+  void openAnnotations(const OpenedProject& opened);
   void take(const Result<ChosenSettings>& next, const QString& what, const QString& key, int gesture);
   void takeSetting(Result<ChosenSettings> next, const QString& key, int gesture);
   void measure(const BodyChoice& body, const QString& key, const QString& text, int gesture);

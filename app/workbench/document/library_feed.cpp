@@ -17,6 +17,7 @@ Result<PreparedSolver> annotated(Material material, const LibraryUpdates::Takes&
                                  const Settings& settings) {
   auto library = with_updates(material.library, takes);
   if (!library) return library.error();
+  material.unannotated = material.library_of_files();
   material.library = std::move(*library);
   return prepare_solver(std::move(material), settings);
 }

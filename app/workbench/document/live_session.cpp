@@ -64,7 +64,9 @@ RecordingFacts LiveSession::facts() const {
 void LiveSession::setLibraryFile(const std::shared_ptr<const MotionLibrary>& library,
                                  const std::string& file) {
   if (const auto recorder = m_engine.recorder()) recorder->set_library_path(library, file);
-  if (m_material.library == library) m_material.library_file = file;
+  if (m_material.library != library) return;
+  m_material.library_file = file;
+  m_material.unannotated.reset();
 }
 
 void LiveSession::replaceSolver(PreparedSolver prepared) {

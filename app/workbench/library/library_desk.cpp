@@ -87,10 +87,8 @@ void LibraryDesk::showRecorded(int pair, bool in_motion) {
 
 void LibraryDesk::danceWith(int take) {
   if (!m_window.session()) return;
-  Material open = m_window.session()->material();
-  open.warnings.clear();
-  m_window.openMaterial(
-      [open, take](const Progress&) -> Result<Material> { return danced_with(open, take); });
+  m_window.openMaterial([open = for_next_session(m_window.session()->material()),
+                         take](const Progress&) -> Result<Material> { return danced_with(open, take); });
 }
 
 void LibraryDesk::toggleVeto(int take) {

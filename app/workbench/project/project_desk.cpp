@@ -262,6 +262,7 @@ void ProjectDesk::write(const QString& target) {
     if (done->has_history) m_framesSavedTo_s = until_s;
     m_saved = what.project;
     m_saved.data = done->project.data;
+    m_window.document().noteSaved(m_saved.annotations);
     m_isAhead = false;
     m_window.undoStack().setClean();
     refresh();

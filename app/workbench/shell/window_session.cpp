@@ -73,9 +73,10 @@ bool MainWindow::isLeft() {
 void MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksToLeave asks) {
   if (asks == AsksToLeave::BeforeReading && !isLeft()) return;
   const Settings wanted = m_document->settings();
+  const auto stays = session() ? session()->material().library_of_files() : nullptr;
   Job::retire(std::move(m_job), this);
   const auto open =
-      [this, make = std::move(make), wanted, files, asks,
+      [this, make = std::move(make), wanted, files, asks, stays,
        maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
     if (!material && material.error().message == "cancelled") return {};
@@ -93,10 +94,11 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksT
     if (!prepared) return [this, why = words(prepared.error())] { fail(why); };
     // Shared only because std::function must be copyable.
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-    return [this, ready, files, asks] {
+    return [this, ready, files, asks, stays] {
       if (asks == AsksToLeave::BeforeStart && !isLeft()) return;
-      // Saving may have written the library that stays open.
-      if (session() && session()->material().library == ready->material.library)
+      // Saving may have written the library that stays open, and what was saved of its takes.
+      if (session() && stays == ready->material.library_of_files() &&
+          !session()->material().library_file.empty())
         ready->material.library_file = session()->material().library_file;
       start(std::move(*ready));
       if (!files.isEmpty()) emit filesOpened(files);

@@ -139,6 +139,11 @@ void PairDesk::extend(const PairedTake& take) {
     if (!longer) return [this, why = longer.error().text()] { m_window.messages().showError(text(why)); };
     Material next = material;
     next.library = std::make_shared<const MotionLibrary>(std::move(longer).value());
+    if (next.unannotated) {  // which goes on when the annotations are discarded
+      auto without = extend_library(*next.unannotated, take, {}, progress);
+      if (!without) return [this, why = without.error().text()] { m_window.messages().showError(text(why)); };
+      next.unannotated = std::make_shared<const MotionLibrary>(std::move(without).value());
+    }
     next.library_file.clear();  // what lies there has not this take
     next.manifest.reset();
     next.is_generated = next.stands_in = false;

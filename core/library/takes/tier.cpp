@@ -25,6 +25,22 @@ std::vector<VocabularyEntry> vocabulary_of(std::span<const TierInterval> interva
   return vocabulary;
 }
 
+std::vector<VocabularyEntry> with_values_of(std::vector<VocabularyEntry> vocabulary, const Tier& other) {
+  const auto has = [&vocabulary](const auto& is) {
+    return std::any_of(vocabulary.begin(), vocabulary.end(), is);
+  };
+  std::vector<VocabularyEntry> more = other.vocabulary;
+  for (const VocabularyEntry& each : vocabulary_of(other.intervals)) more.push_back(each);
+  for (VocabularyEntry& entry : more) {
+    if (entry.value.empty() ||
+        has([&entry](const VocabularyEntry& known) { return known.value == entry.value; }))
+      continue;
+    if (has([&entry](const VocabularyEntry& known) { return known.key == entry.key; })) entry.key = 0;
+    vocabulary.push_back(std::move(entry));
+  }
+  return vocabulary;
+}
+
 TierKind kind_of_name(std::string_view name) {
   const std::string lower = lower_case(trimmed(name));
   for (const char* role : {"role", "roles", "who leads"})

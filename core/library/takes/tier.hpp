@@ -53,6 +53,8 @@ struct Tier {
 std::vector<std::string> values_of(std::span<const TierInterval> intervals);
 /// The values as a vocabulary without descriptions, colours and keys.
 std::vector<VocabularyEntry> vocabulary_of(std::span<const TierInterval> intervals);
+/// The vocabulary, and behind it the values that `other` has or uses besides, without a key that is taken.
+std::vector<VocabularyEntry> with_values_of(std::vector<VocabularyEntry> vocabulary, const Tier& other);
 
 /// Role for "role", "roles", "who leads"; Move for "move", "moves", "label", "labels", "figure", "figures"
 /// (in any case); Note for others.

@@ -35,6 +35,17 @@ Annotations without_labels(const Annotations& of_take) {
   return annotations;
 }
 
+/// Adds the values that the same kind of tier has in another subject. They get no new keys: which of them
+/// were there first is in no file.
+void take_words(const Annotations& from, Annotations& annotations) {
+  const std::vector<Tier> tiers = tiers_of(from);
+  for (const AnnotationTier& tier : std::vector<AnnotationTier>(annotations.tiers())) {
+    const auto same = std::ranges::find(tiers, tier.kind, &Tier::kind);
+    if (tier.kind == TierKind::Note || same == tiers.end()) continue;
+    (void)annotations.set_vocabulary(tier.id, with_values_of(tier.vocabulary, *same));
+  }
+}
+
 }  // namespace
 
 Annotations begun_annotations(const MotionLibrary& library, const std::string& subject) {
@@ -63,20 +74,25 @@ AnnotationBook LiveAnnotations::changed() const {
 }
 
 void LiveAnnotations::begin(const std::string& subject, const MotionLibrary& library) {
-  if (of(subject).empty()) book_[subject] = begun_[subject] = begun_annotations(library, subject);
+  if (!of(subject).empty()) return;
+  Annotations begun = begun_annotations(library, subject);
+  for (const auto& [other, annotations] : changed()) take_words(annotations, begun);
+  book_[subject] = begun_[subject] = std::move(begun);
 }
 
 void LiveAnnotations::start(const MotionLibrary& library) {
-  book_.erase("");
-  if (library_ != library.name()) book_.clear();
-  std::erase_if(book_, [&](const auto& entry) { return library.find_take(entry.first) < 0; });
+  saved_.erase("");
+  if (library_ != library.name()) saved_.clear();
+  std::erase_if(saved_, [&](const auto& entry) { return library.find_take(entry.first) < 0; });
+  book_ = saved_;
   library_ = library.name();
   ++number_;
   begin("", library);
 }
 
-void LiveAnnotations::open(AnnotationBook book, const MotionLibrary& library) {
+void LiveAnnotations::open(AnnotationBook book, const MotionLibrary& library, bool is_saved) {
   book_ = std::move(book);
+  saved_ = is_saved ? book_ : AnnotationBook();
   begun_.clear();
   ++number_;
   begin("", library);

@@ -146,8 +146,9 @@ void LiveProject::begin_annotations(const std::string& subject, const MotionLibr
   annotations_.begin(subject, library);
 }
 
-LiveProject::Parts LiveProject::open_annotations(AnnotationBook book, const MotionLibrary& library) {
-  annotations_.open(std::move(book), library);
+LiveProject::Parts LiveProject::open_annotations(AnnotationBook book, const MotionLibrary& library,
+                                                 bool is_saved) {
+  annotations_.open(std::move(book), library, is_saved);
   return annotated();
 }
 

@@ -54,12 +54,14 @@ class LiveProject {
 
   /// Before a subject is shown.
   void begin_annotations(const std::string& subject, const MotionLibrary& library);
-  /// Replaces all annotations by those of a saved project.
-  Parts open_annotations(AnnotationBook book, const MotionLibrary& library);
+  /// Replaces all annotations by those of a project. @param is_saved  see LiveAnnotations::open
+  Parts open_annotations(AnnotationBook book, const MotionLibrary& library, bool is_saved = true);
+  /// These annotations are in a session file now: those of takes stay in the next session.
+  void note_saved(const AnnotationBook& book) { annotations_.note_saved(book); }
 
   /// Begins a session. Drops markers and annotations of the previous one and, if the library differs, the
-  /// decisions about its pairs. Settings and role control stay, and so do annotations of takes that this
-  /// library has, too.
+  /// decisions about its pairs. Settings and role control stay, and so do saved annotations of takes that
+  /// this library has, too. @param library  that of the files, see LiveAnnotations
   Parts begin_session(const MotionLibrary& library, bool same_library);
   /// The session continues with another library.
   Parts replace_library(const MotionLibrary& before, const MotionLibrary& after);

@@ -119,8 +119,8 @@ TEST_F(LibrarySearchTest, WithWhatWasSaidOfItsTakes) {
   test::save(path, material, book);
   const auto library = found(clues());
   EXPECT_TRUE(is(library, annotated));
-  ASSERT_TRUE(library->before) << "earlier frames may be of it";
-  EXPECT_EQ(library_fingerprint(*library->before), library_fingerprint(*small));
+  ASSERT_TRUE(library->material.unannotated) << "earlier frames may be of it";
+  EXPECT_EQ(library_fingerprint(*library->material.unannotated), library_fingerprint(*small));
 }
 
 TEST_F(LibrarySearchTest, GeneratedAgainByItsName) {

@@ -362,12 +362,14 @@ TEST_F(LiveAnnotationsTest, StepsOfAnotherSessionOrProjectAreOfNoUse) {
   EXPECT_FALSE(live.is_valid(other));
 }
 
-TEST_F(LiveAnnotationsTest, TheNextSessionKeepsWhatWasSaidOfItsTakes) {
+TEST_F(LiveAnnotationsTest, TheNextSessionKeepsWhatWasSavedOfItsTakes) {
   draw("", 1, 2, "turn");
   for (const char* take : {"one", "two"}) {
     live.begin_annotations(take, library());
     draw(take, 0, 0.1, "turn");
   }
+  live.note_saved(saved());
+  draw("two", 0.3, 0.5, "basic");  // and is not saved any more
   live.begin_session(library_of("salsa", {"two", "three"}), false);
   EXPECT_THAT(moves(""), IsEmpty()) << "its times were another session's";
   EXPECT_THAT(moves("two"), ElementsAre("0-0.1 turn", "0.1-0.2 basic", "0.2-0.5 turn"));
@@ -377,6 +379,40 @@ TEST_F(LiveAnnotationsTest, TheNextSessionKeepsWhatWasSaidOfItsTakes) {
   live.begin_session(library_of("fights", {"two"}), false);
   EXPECT_THAT(moves("two"), IsEmpty()) << "another library's take of the same name";
   EXPECT_THAT(saved(), IsEmpty());
+}
+
+TEST_F(LiveAnnotationsTest, WhatWasNotSavedEndsWithItsSession) {
+  live.begin_annotations("one", library());
+  const Annotations as_begun = live.annotations().of("one");
+  draw("one", 0, 0.1, "spin");
+  live.begin_session(library(), true);
+  EXPECT_THAT(saved(), IsEmpty());
+  live.begin_annotations("one", library());
+  EXPECT_EQ(live.annotations().of("one"), as_begun);
+}
+
+TEST_F(LiveAnnotationsTest, OfAProjectTheNextSessionKeepsWhatItsFileHas) {
+  const AnnotationBook book = {{"two", begun_annotations(library(), "two")}};
+  live.open_annotations(book, library());
+  draw("two", 0, 0.1, "turn");
+  live.begin_session(library(), true);
+  EXPECT_EQ(live.annotations().of("two"), book.at("two"));
+  live.open_annotations(book, library(), false);  // restored after a crash
+  live.begin_session(library(), true);
+  EXPECT_TRUE(live.annotations().of("two").empty());
+}
+
+TEST_F(LiveAnnotationsTest, ANewWordIsThereInOtherTakesAndLeavesTheKeysOfTheOthers) {
+  live.begin_annotations("one", library());
+  Annotations next = live.annotations().of("one");
+  auto words = tier(next).vocabulary;
+  words.push_back({"spin", "on one foot", {}, '5'});
+  ASSERT_TRUE(next.set_vocabulary(tier(next).id, words));
+  live.put(SubjectAnnotations{"one", next});
+  draw("one", 0, 0.1, "dip");  // said without being a word of the vocabulary
+  live.begin_annotations("two", library());
+  words.push_back({"dip"});
+  EXPECT_EQ(tier(live.annotations().of("two")).vocabulary, words);
 }
 
 TEST_F(LiveAnnotationsTest, ABookTakesThePlaceOfAllAndIsAChange) {
