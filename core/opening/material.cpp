@@ -90,6 +90,7 @@ Material for_next_session(const Material& open) {
   material.project.reset();
   material.stands_in = false;
   material.is_doubtful = false;
+  material.is_input_asked = false;
   return material;
 }
 
@@ -108,6 +109,12 @@ Material danced_with(const Material& open, int take) {
     material.warnings.emplace_back(
         "the library has one take, which plays the user and answers too: the answers are "
         "its own frames; add a take to see more");
+  return material;
+}
+
+Material asked_dance(const Material& open, int take) {
+  Material material = danced_with(for_next_session(open), take);
+  material.is_input_asked = true;
   return material;
 }
 

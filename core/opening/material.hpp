@@ -40,6 +40,9 @@ struct Material {
   bool is_generated = false;  ///< the library can be generated again, by its name
   bool stands_in = false;     ///< the library replaces that of the project, which was not found
   Clip input;
+  /// The user asked for this input: it plays the user where a stream did. An input that came with a library
+  /// does not.
+  bool is_input_asked = false;
   /// How the input was read; without a file if it is a take of the library.
   MotionReading reading;
   /// The input's file is ambiguous (ImportReport::asks, or several performers), and the user was not asked
@@ -71,6 +74,9 @@ Material for_next_session(const Material& open);
 
 /// The open material with a take of its library as the user; that take is then excluded from selection.
 Material danced_with(const Material& open, int take);
+
+/// Another session on the open library, with a take of it that the user asked for.
+Material asked_dance(const Material& open, int take);
 
 /// A library that was just built: its last take plays the user.
 /// @param file  written library or manifest; empty: none

@@ -97,6 +97,7 @@ Status add_library(const SortedFiles& files, const Progress& progress, Material&
   opened->input = std::move(material.input);
   opened->reading = std::move(material.reading);
   opened->is_doubtful = material.is_doubtful;
+  opened->is_input_asked = material.is_input_asked;
   opened->warnings.insert(opened->warnings.begin(), material.warnings.begin(), material.warnings.end());
   material = std::move(*opened);
   return Done{};
@@ -110,6 +111,7 @@ Result<Material> open_files(const OpeningWish& wish, const Progress& progress) {
   if (!files->session.empty()) return open_as_session(*files, wish, progress);
   Material material = for_next_session(wish.open);
   const bool has_motion = !files->motion.empty();
+  material.is_input_asked = has_motion;
   if (has_motion)
     if (const Status read = read_as_wished(*files, wish, material, progress); !read) return read.error();
   if (!files->library.empty() || !material.library)

@@ -2,15 +2,19 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <fstream>
 
+#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "app/workbench/stream/latency_desk.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "tests/workbench/streamed_performer.hpp"
@@ -54,6 +58,43 @@ class StreamActions : public DemoWindow {
     EXPECT_TRUE(until([] { return desk().health().has_value(); }));
     return desk().health() ? "vmc://" + QString::fromStdString(desk().health()->listening) : QString();
   }
+  /// What the panel says below the button.
+  static QString calibration() {
+    for (const auto* label : panel().findChildren<QLabel*>())
+      if (label->accessibleName() == "Calibration") return label->text();
+    return {};
+  }
+  static void calibrate() {
+    press(Qt::Key_T, Qt::ControlModifier);
+    ASSERT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
+    ASSERT_TRUE(calibration().startsWith("Calibrated")) << calibration().toStdString();
+    ASSERT_TRUE(until([] { return desk().health()->performers.front().calibrated; }));
+  }
+  /// The library of the session has it.
+  static void label_a_take() {
+    auto& labels = *window().findChild<AnnotationDesk*>();
+    const auto library = window().session()->material().library;
+    labels.showSubject(library->takes().front().name);
+    Annotations next = window().document().annotations();
+    const int moves = next.first_of(TierKind::Move)->id;
+    ASSERT_TRUE(next.draw(moves, 0, 0.5, "a new move", Conflict::Replace, labels.range()));
+    window().document().changeAnnotations(next, "label");
+    ASSERT_TRUE(until([&] { return window().session()->material().library != library; }));
+    labels.showSubject("");
+  }
+  /// Everything that the window tells, also what something else covered since.
+  class Told {
+   public:
+    Told() {
+      QObject::connect(&window().messages(), &widgets::MessageBar::told, &m_here,
+                       [this](widgets::MessageKind, const QString& text) { m_all << text; });
+    }
+    std::string all() const { return m_all.join('\n').toStdString(); }
+
+   private:
+    QStringList m_all;
+    QObject m_here;
+  };
   static bool receives() {
     return until([] {
       return desk().health() && !desk().health()->performers.empty() && live().times.arrived_s >= 0;
@@ -262,6 +303,74 @@ TEST_F(StreamActions, ADoubtfulCalibrationIsCalledSoUntilItIsUndone) {
   EXPECT_TRUE(until([] {
     desk().poll();
     return !panel().cards().empty() && panel().cards().front()->toolTip().contains("not calibrated");
+  }));
+}
+
+/// The library had taken the labels and so seemed to be another one: the stream went on.
+TEST_F(StreamActions, AClipThatIsOpenedPlaysTheUserAlsoWhenLabelsAreDiscardedForIt) {
+  auto& project = *window().findChild<ProjectDesk*>();
+  const Clip dancer = clip();
+  const QString motion = home().filePath("walk.bvh");
+  std::ofstream(motion.toStdString()) << *write_bvh(std::vector<Clip>{dancer});
+  StreamedPerformer performer(dancer, listen());
+  performer.standStill();
+  ASSERT_TRUE(receives());
+  calibrate();
+  label_a_take();
+  int asked = 0;
+  ProjectDesk::Answer answer = ProjectDesk::Answer::Cancel;
+  project.ask = [&] { return ++asked, answer; };
+  project.setAsks(true);
+  const QString stream = desk().uri(), measured = calibration();
+  window().openFiles({motion});
+  ASSERT_TRUE(until([&] { return asked == 1; }));
+  desk().connectTo("clip:" + motion);
+  ASSERT_TRUE(until([&] { return asked == 2; }));
+  turn();
+  EXPECT_EQ(desk().uri(), stream) << "cancelled";
+  EXPECT_EQ(calibration(), measured);
+  EXPECT_EQ(clip().name, dancer.name);
+  const auto index = live().index;
+  EXPECT_TRUE(until([index] { return live().index > index && live().times.arrived_s >= 0; }));
+  answer = ProjectDesk::Answer::Discard;
+  const Told told;
+  window().openFiles({motion});
+  ASSERT_TRUE(until([&] { return window().session()->material().reading.file == motion.toStdString(); }));
+  EXPECT_FALSE(desk().isConnected());
+  EXPECT_NE(told.all().find("walk plays the user; " + stream.toStdString() +
+                            " was disconnected, and its calibration ended"),
+            std::string::npos)
+      << told.all();
+  EXPECT_TRUE(calibration().startsWith("Sets rest pose")) << calibration().toStdString();
+  EXPECT_TRUE(until([] {
+    const auto newest = window().session()->latest().newest();
+    return newest && newest->input_frame >= 0;
+  }));
+  project.setAsks(false);
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session()->material().reading.file.empty() && ticker().shown(); }));
+}
+
+/// Its text stayed, though the stream came uncalibrated from then on.
+TEST_F(StreamActions, AnotherLibraryKeepsTheStreamAndSaysThatItsCalibrationEnded) {
+  const Clip dancer = clip();
+  const QString free_port = listen();
+  desk().connectTo(free_port);  // listens there again in the next session
+  StreamedPerformer performer(dancer, free_port);
+  performer.standStill();
+  ASSERT_TRUE(receives());
+  calibrate();
+  const auto* session = window().session();
+  const Told told;
+  window().openDemo();
+  ASSERT_TRUE(until([&] { return window().session() != session && window().session()->latest().newest(); }));
+  EXPECT_EQ(desk().uri(), free_port);
+  EXPECT_NE(told.all().find("goes on without its calibration"), std::string::npos) << told.all();
+  EXPECT_TRUE(calibration().startsWith("Sets rest pose")) << calibration().toStdString();
+  EXPECT_TRUE(until([] {
+    desk().poll();
+    return desk().health() && !desk().health()->performers.empty() &&
+           !desk().health()->performers.front().calibrated;
   }));
 }
 

@@ -87,8 +87,9 @@ void LibraryDesk::showRecorded(int pair, bool in_motion) {
 
 void LibraryDesk::danceWith(int take) {
   if (!m_window.session()) return;
-  m_window.openMaterial([open = for_next_session(m_window.session()->material()),
-                         take](const Progress&) -> Result<Material> { return danced_with(open, take); });
+  m_window.openMaterial([open = m_window.session()->material(), take](const Progress&) -> Result<Material> {
+    return asked_dance(open, take);
+  });
 }
 
 void LibraryDesk::toggleVeto(int take) {

@@ -94,7 +94,7 @@ void StreamDesk::connectTo(const QString& text) {
   const auto uri = parse_stream_uri(text.toStdString());
   if (!uri) return m_window.messages().showError(words(uri.error()));
   if (uri->scheme == StreamUri::Scheme::Clip) {
-    disconnectStream();
+    if (!engine()) disconnectStream();  // a session may go on, with its stream
     return m_window.openFiles({QString::fromStdString(uri->file)});
   }
   const QString before = isConnected() && text != m_uri ? m_uri : QString();
@@ -161,8 +161,7 @@ bool StreamDesk::receive() {
 void StreamDesk::disconnectStream() {
   if (!isConnected()) return;
   emit aboutToDisconnect();
-  m_calibration.cancel();
-  m_soon.stop();
+  dropCalibration();
   m_sourceLookup.cancel();
   m_before.clear();
   m_uri.clear();
@@ -170,30 +169,42 @@ void StreamDesk::disconnectStream() {
   m_user.clear();
   m_second.clear();
   m_panel.setParts({}, {});
-  m_panel.showCalibration({}, false);
-  m_window.messages().withdrawErrorsOf(calibration_job);
   if (engine()) engine()->stop_receiving();
   poll();
   emit connectionChanged();
 }
 
-/// Another library keeps the stream; another motion takes the user's part.
+/// What the receiver that ends had measured, and what was said of it.
+void StreamDesk::dropCalibration() {
+  m_calibration.cancel();
+  m_soon.stop();
+  m_panel.showCalibration({}, false);
+  m_window.messages().withdrawErrorsOf(calibration_job);
+}
+
+/// Another library keeps the stream; a motion that the user asked for takes the user's part. Of those that
+/// were asked for at the start it is the stream.
 void StreamDesk::beginSession() {
   const Material& material = m_window.session()->material();
-  const QString name = QString::fromStdString(material.input.name);
-  const bool is_other_motion = m_library == material.library && name != m_inputName && m_library;
-  m_library = material.library;
-  m_inputName = name;
+  const bool ends_stream = material.is_input_asked && m_hasBegun;
+  const bool was_calibrated = userHealth() && userHealth()->calibrated;
+  m_hasBegun = true;
   m_inputWords.clear();  // the window has just named the clip
   for (const Sink& sink : std::exchange(m_sinks, {})) send(sink.uri, sink.character);
-  if (isConnected() && is_other_motion) {
-    const QString was = m_uri;
+  if (!isConnected()) return;
+  const QString was = m_uri;
+  if (ends_stream) {
     disconnectStream();
-    m_window.messages().showInformation(name + " plays the user; " + was + " was disconnected");
-  } else if (isConnected()) {
-    // After all other receivers, because the recorder must know its file by then.
-    QTimer::singleShot(0, this, [this] { receiveOnceFound(); });
+    return m_window.messages().showInformation(
+        QString("%1 plays the user; %2 was disconnected%3")
+            .arg(QString::fromStdString(material.input.name), was,
+                 was_calibrated ? ", and its calibration ended" : QString()));
   }
+  dropCalibration();
+  if (was_calibrated)
+    m_window.messages().showInformation(was + " goes on without its calibration; Ctrl+T calibrates again");
+  // After all other receivers, because the recorder must know its file by then.
+  QTimer::singleShot(0, this, [this] { receiveOnceFound(); });
 }
 
 void StreamDesk::send(const QString& text, Character character) {

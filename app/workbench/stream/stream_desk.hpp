@@ -17,7 +17,6 @@
 #include "widgets/stream/sink_rates.hpp"
 
 namespace abrazo {
-class MotionLibrary;
 class SessionEngine;
 class StreamReceiver;
 }  // namespace abrazo
@@ -33,7 +32,7 @@ namespace abrazo::app {
 class MainWindow;
 
 /// The live stream of the window: connection, health, calibration, sinks. A connection persists when another
-/// library is opened, and ends when another motion plays the user.
+/// library is opened, without its calibration, and ends when a motion that was opened plays the user.
 class StreamDesk : public QObject {
   Q_OBJECT
  public:
@@ -90,6 +89,7 @@ class StreamDesk : public QObject {
   bool receive();
   void sendTo(const StreamUri& uri, Character character);
   void beginSession();
+  void dropCalibration();
   void showInput();
   void nameInput(const QString& words, const QString& detail = {});
   QString streamName() const;
@@ -110,9 +110,8 @@ class StreamDesk : public QObject {
   widgets::SinkRates m_rates;
   std::optional<StreamHealth> m_health;
   CalibrationSteps m_calibration;
-  QString m_inputName;   ///< name of the session's clip
-  QString m_inputWords;  ///< text passed to the window
-  std::shared_ptr<const MotionLibrary> m_library;
+  QString m_inputWords;     ///< text passed to the window
+  bool m_hasBegun = false;  ///< a session
   QTimer m_poll, m_soon;
   CoresForAnswers m_cores;  ///< while something comes in
 };

@@ -96,6 +96,24 @@ TEST_F(MaterialTest, ALibraryBesideASessionGetsAFileOfItsOwn) {
   EXPECT_EQ(library_file_beside(file("s.abrazo"), "my/takes"), file("my_takes (2).h5"));
 }
 
+TEST_F(MaterialTest, TheNextSessionBeginsWithTheLibraryOfTheFiles) {
+  Material open;
+  open.library = test::two_take_library();
+  EXPECT_EQ(open.library_of_files(), open.library);
+  open.unannotated = test::session_library();
+  open.stands_in = true;
+  open.warnings = {"of that opening"};
+  const Material next = for_next_session(open);
+  EXPECT_EQ(next.library, open.unannotated);
+  EXPECT_FALSE(next.unannotated);
+  EXPECT_FALSE(next.stands_in);
+  EXPECT_THAT(next.warnings, IsEmpty());
+  const Material dance = asked_dance(open, 0);
+  EXPECT_EQ(dance.library, open.unannotated);
+  EXPECT_EQ(dance.input.name, open.unannotated->takes().front().name);
+  EXPECT_TRUE(dance.is_input_asked);
+}
+
 TEST_F(MaterialTest, AnnotatedTakesThatAreNotInTheLibraryAreCounted) {
   const auto& small = *test::session_library();
   const AnnotationBook book = {{"", test::said_of(small, "first", "dip")},

@@ -32,6 +32,7 @@ TEST_F(OpenFiles, OfALibraryTheLastTakePlaysTheUser) {
   EXPECT_EQ(material->input.name, "take_02");
   EXPECT_THAT(material->excluded_takes, ElementsAre("take_02"));
   EXPECT_FALSE(material->has_unsaved_library());
+  EXPECT_FALSE(material->is_input_asked) << "it came with the library";
 }
 
 TEST_F(OpenFiles, AMotionReplacesTheUserAndKeepsTheLibrary) {
@@ -42,6 +43,9 @@ TEST_F(OpenFiles, AMotionReplacesTheUserAndKeepsTheLibrary) {
   EXPECT_EQ(material->library_file, manifest);
   EXPECT_THAT(material->input_files(), ElementsAre(motion));
   EXPECT_THAT(material->excluded_takes, IsEmpty());
+  EXPECT_TRUE(material->is_input_asked);
+  EXPECT_TRUE(opened({motion, manifest})->is_input_asked) << "with another library, too";
+  EXPECT_FALSE(opened({manifest}, *material)->is_input_asked);
 }
 
 TEST_F(OpenFiles, AMotionByItselfIsAnsweredByTheGeneratedDanceWhichIsSaid) {
