@@ -49,6 +49,18 @@ TEST_F(Annotating, EachSubjectKeepsItsMarkers) {
   EXPECT_TRUE(timeline().markers().empty());
 }
 
+TEST_F(Annotating, InAndOutOfATakeAreTakenBackAlsoWhileTheSessionIsShown) {
+  ticker().seek(2);
+  press(Qt::Key_I);
+  ASSERT_TRUE(ticker().playback().in_set);
+  desk().showSubject("");
+  EXPECT_FALSE(ticker().playback().in_set) << "the session has its own";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(window().messages().text().toStdString(), "set in of " + take() + ", which is not shown");
+  desk().showSubject(take());
+  EXPECT_FALSE(ticker().playback().in_set);
+}
+
 TEST_F(Annotating, ADragDrawsAndADigitSaysWhat) {
   drag(2, 4);
   ASSERT_TRUE(open_picker());

@@ -359,6 +359,47 @@ TEST_F(SceneKeys, TheRangeAndTheMapOfTheLegendAreCommands) {
   QTest::keyClick(entry->findChild<QLineEdit*>(), Qt::Key_Escape);
 }
 
+TEST_F(SceneKeys, TheRangeOfTheLegendIsTakenBack) {
+  const auto* legend = scene().findChild<widgets::ScalarLegend*>();
+  const auto upper = [legend] { return legend->scale().upper; };
+  const double adapted = upper();
+  ASSERT_GT(adapted, 0);
+  const auto type = [](const QString& range) {
+    action("Set the range of the legend…")->trigger();
+    auto* field = window().findChild<widgets::EntryFrame*>()->findChild<QLineEdit*>();
+    field->setText(range);
+    QTest::keyClick(field, Qt::Key_Return);
+    turn();
+  };
+  QToolButton* lock = nullptr;
+  for (auto* button : legend->findChildren<QToolButton*>())
+    if (button->isCheckable()) lock = button;
+  ASSERT_TRUE(lock);
+  const auto kept = [] { return scene().memory().ranges[static_cast<std::size_t>(scene().scalar())]; };
+  type("5000");
+  ASSERT_TRUE(kept());
+  EXPECT_EQ(kept()->upper, 5000);
+  EXPECT_TRUE(lock->isChecked());
+  type("7000");
+  EXPECT_EQ(upper(), 7000);
+  EXPECT_EQ(window().undoStack().undoText(), "set the range of colours");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(upper(), 5000);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(kept()) << "it adapts, as before";
+  EXPECT_FALSE(lock->isChecked());
+  EXPECT_EQ(upper(), adapted);
+  press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(upper(), 5000);
+  lock->click();
+  EXPECT_FALSE(kept());
+  EXPECT_EQ(window().undoStack().undoText(), "adapt the range of colours");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(upper(), 5000);
+  EXPECT_TRUE(lock->isChecked());
+  press(Qt::Key_Z, Qt::ControlModifier);
+}
+
 TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {
   window().selection().select(Selection::joint(joints::Head));
   press(Qt::Key_X);

@@ -4,9 +4,11 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -122,6 +124,45 @@ TEST_F(TimelineActions, InOutAndTheirClearingByKey) {
   EXPECT_EQ(playback().range(), (Playback::Range{playback().first_s, 2}));
   press(Qt::Key_O, Qt::AltModifier);
   EXPECT_FALSE(playback().range());
+}
+
+TEST_F(TimelineActions, InAndOutAreTakenBackAndADragOfThemIsOneStep) {
+  ticker().seek(1);
+  press(Qt::Key_I);
+  ticker().seek(2);
+  press(Qt::Key_O);
+  const Playback::Ends both{1, 2};
+  ASSERT_EQ(playback().ends(), both);
+  EXPECT_EQ(window().undoStack().undoText(), "set out");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(playback().ends(), (Playback::Ends{1, {}}));
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(playback().ends(), Playback::Ends());
+  press(Qt::Key_Y, Qt::ControlModifier);
+  press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(playback().ends(), both);
+  const auto at = [](double time_s) {
+    return QPoint(static_cast<int>(std::lround(timeline().axis().x(time_s))), 40);
+  };
+  QTest::mousePress(&timeline(), Qt::LeftButton, Qt::ShiftModifier, at(0.5));
+  for (const double time_s : {0.7, 0.9, 1.3}) {
+    QMouseEvent move(QEvent::MouseMove, at(time_s), timeline().mapToGlobal(at(time_s)), Qt::NoButton,
+                     Qt::LeftButton, Qt::ShiftModifier);
+    QApplication::sendEvent(&timeline(), &move);
+  }
+  QTest::mouseRelease(&timeline(), Qt::LeftButton, Qt::ShiftModifier, at(1.3));
+  turn();
+  const Playback::Ends dragged = playback().ends();
+  ASSERT_NE(dragged, both);
+  EXPECT_EQ(window().undoStack().undoText(), "set in and out");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(playback().ends(), both) << "the whole drag";
+  press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(playback().ends(), dragged);
+  press(Qt::Key_I, Qt::AltModifier);
+  EXPECT_EQ(window().undoStack().undoText(), "clear in");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(playback().ends(), dragged);
 }
 
 TEST_F(TimelineActions, CtrlLLoopsTheRange) {

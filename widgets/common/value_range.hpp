@@ -40,6 +40,11 @@ class SteadyRange {
     locked_ = true;
   }
   bool locked() const { return locked_; }
+  /// Both adapt, or keep the same ends.
+  bool has_ends_of(const SteadyRange& other) const {
+    if (locked_ != other.locked_) return false;
+    return !locked_ || (lower_ == other.lower_ && upper_ == other.upper_);
+  }
   void reset() { upper_ = 0; }
 
  private:

@@ -37,6 +37,7 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
 void TimelineView::begin(const TimelineHit& hit, QMouseEvent* event) {
   using Part = TimelineHit::Part;
   if (hit.part != Part::Marker && m_content.selected_marker != 0) selectMarker(0);
+  ++m_rangeDrag;
   m_draggedRange = m_content.playback.range().value_or(Playback::Range{});
   switch (hit.part) {
     case Part::Nothing:
@@ -119,15 +120,16 @@ void TimelineView::scrubTo(double x_px) {
 void TimelineView::dragRangeTo(double time_s) {
   if (m_drag == Drag::NewRange) {
     const double start = std::clamp(m_pressedTime, m_content.playback.first_s, m_content.playback.last_s);
-    emit rangeRequested(std::min(start, time_s), std::max(start, time_s));
+    emit rangeRequested(std::min(start, time_s), std::max(start, time_s), m_rangeDrag);
     return;
   }
   // A handle stops at the other one: an empty range would disappear.
   const double least_s = axis().seconds_per_pixel();
   if (m_drag == Drag::In)
-    emit rangeRequested(std::min(time_s, m_draggedRange.to_s - least_s), m_draggedRange.to_s);
+    emit rangeRequested(std::min(time_s, m_draggedRange.to_s - least_s), m_draggedRange.to_s, m_rangeDrag);
   else
-    emit rangeRequested(m_draggedRange.from_s, std::max(time_s, m_draggedRange.from_s + least_s));
+    emit rangeRequested(m_draggedRange.from_s, std::max(time_s, m_draggedRange.from_s + least_s),
+                        m_rangeDrag);
 }
 
 void TimelineView::mouseReleaseEvent(QMouseEvent* event) {

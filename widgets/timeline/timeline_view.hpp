@@ -79,7 +79,8 @@ class TimelineView : public QWidget {
   void seekRequested(double time_s);
   /// Begin or end of dragging the cursor.
   void scrubbing(bool on);
-  void rangeRequested(double from_s, double to_s);
+  /// @param drag  number of the drag: its requests are one change
+  void rangeRequested(double from_s, double to_s, int drag);
   void rangeEntryRequested();
   void takeRequested(qint64 id);
   void markersRequested(const abrazo::Markers& next, const QString& what);
@@ -146,6 +147,7 @@ class TimelineView : public QWidget {
   double m_pressedTime = 0;
   bool m_moved = false;
   Playback::Range m_draggedRange;
+  int m_rangeDrag = 0;  ///< number of the last one
   Markers m_draggedMarkers;
 };
 

@@ -83,8 +83,8 @@ void add_welcome_actions(MainWindow& window);
 void add_character_actions(MainWindow& window);
 void add_scene_actions(QMainWindow& window, widgets::SceneView& scene, UserSettings& remembered,
                        QUndoStack& undo);
-/// Changes of the cutting plane become undo steps; called by the scene actions.
-void keep_cut_edits(widgets::SceneView& scene, QUndoStack& undo);
+/// Changes of the cutting plane and of the legend's ranges become undo steps; called by the scene actions.
+void keep_scene_edits(widgets::SceneView& scene, QUndoStack& undo);
 /// Links the selection of all views.
 void add_selection_actions(MainWindow& window);
 /// Recording takes of a session.

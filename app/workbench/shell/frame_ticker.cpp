@@ -210,28 +210,36 @@ void FrameTicker::setRepeat(Playback::Repeat repeat) {
   changed();
 }
 
-void FrameTicker::setIn() {
-  m_playback.set_in();
+void FrameTicker::changeEnds(const std::function<void()>& change, int drag) {
+  const Playback::Ends before = m_playback.ends();
+  change();
   changed();
+  const Playback::Ends after = m_playback.ends();
+  if (after != before) emit endsChanged(before, after, drag);
+}
+
+void FrameTicker::setIn() {
+  changeEnds([this] { m_playback.set_in(); });
 }
 
 void FrameTicker::setOut() {
-  m_playback.set_out();
-  changed();
+  changeEnds([this] { m_playback.set_out(); });
 }
 
 void FrameTicker::clearIn() {
-  m_playback.clear_in();
-  changed();
+  changeEnds([this] { m_playback.clear_in(); });
 }
 
 void FrameTicker::clearOut() {
-  m_playback.clear_out();
-  changed();
+  changeEnds([this] { m_playback.clear_out(); });
 }
 
-void FrameTicker::setRange(double from_s, double to_s) {
-  m_playback.set_range(from_s, to_s);
+void FrameTicker::setRange(double from_s, double to_s, int drag) {
+  changeEnds([this, from_s, to_s] { m_playback.set_range(from_s, to_s); }, drag);
+}
+
+void FrameTicker::restoreEnds(const Playback::Ends& ends) {
+  m_playback.set_ends(ends);
   changed();
 }
 

@@ -52,7 +52,10 @@ class FrameTicker : public QObject {
   void setOut();
   void clearIn();
   void clearOut();
-  void setRange(double from_s, double to_s);
+  /// @param drag  number of the drag that it is part of; 0 = of none
+  void setRange(double from_s, double to_s, int drag = 0);
+  /// As they were before; not reported by `endsChanged`.
+  void restoreEnds(const abrazo::Playback::Ends& ends);
   /// J, K, L: -1 backwards, 0 stop, 1 forwards; again in the same direction doubles the speed.
   void shuttle(int direction);
   /// While the cursor is dragged the scene has priority; panels update at their own rate.
@@ -64,6 +67,8 @@ class FrameTicker : public QObject {
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
+  /// In or out were set or cleared. @param drag  see setRange
+  void endsChanged(const abrazo::Playback::Ends& before, const abrazo::Playback::Ends& after, int drag);
   /// Playing ended at once: the looped range has no frames.
   void nothingToPlay();
   /// Update of panels that show a time span: about 10 times per second, twice when parked, and immediately
@@ -72,6 +77,7 @@ class FrameTicker : public QObject {
 
  private:
   void changed();
+  void changeEnds(const std::function<void()>& change, int drag = 0);
   void advance(double elapsed_s);
   bool waitsForPicture();
   void passOverGap();

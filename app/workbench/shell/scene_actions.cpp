@@ -81,7 +81,7 @@ void add_rows(QMainWindow& window, SceneView& scene, QMenu* menu) {
   }
 }
 
-void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu, QUndoStack& undo) {
+void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu) {
   constexpr double step_m = 0.05, step_rad = 0.08726646259971647;  // 5 cm, 5 degrees
   QMenu* cut = menu->addMenu("Cutting plane");
   add_option(window, scene, cut, "Cut", "C", &SceneOptions::cuts);
@@ -96,7 +96,6 @@ void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu, QUndoStack& und
   add("Turn the plane right", "Alt+Right", 0, step_rad, 0);
   add("Tilt the plane up", "Alt+Up", 0, 0, step_rad);
   add("Tilt the plane down", "Alt+Down", 0, 0, -step_rad);
-  keep_cut_edits(scene, undo);
 }
 
 void add_legend(QMainWindow& window, SceneView& scene, QMenu* menu) {
@@ -138,7 +137,8 @@ void add_scene_actions(QMainWindow& window, SceneView& scene, UserSettings& reme
   add_option(window, scene, menu, "Parallel projection", "5", &SceneOptions::is_parallel);
   add_part(window, scene, menu, "Tetrahedra", "T", ScenePart::Tetrahedra);
   add_option(window, scene, menu, "Reference beside", "R", &SceneOptions::shows_reference_beside);
-  add_cut(window, scene, menu, undo);
+  add_cut(window, scene, menu);
+  keep_scene_edits(scene, undo);
   add_legend(window, scene, menu);
   add_action(window, menu, "Previous morph step", {QKeySequence(",")}, [&scene] { scene.stepMorph(-1); });
   add_action(window, menu, "Next morph step", {QKeySequence(".")}, [&scene] { scene.stepMorph(1); });

@@ -1,10 +1,12 @@
 #include "app/workbench/shell/subject_stage.hpp"
 
 #include <QAction>
+#include <QUndoCommand>
 #include <cmath>
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
@@ -18,7 +20,66 @@ bool is_held(const MainWindow& window) {
   return hold && hold->isChecked();
 }
 
+constexpr int ends_step_id = 0x656e64;  // "end"; no other command has it
+
+QString words_of(const Playback::Ends& before, const Playback::Ends& after) {
+  const bool is_in = before.in_s != after.in_s, is_out = before.out_s != after.out_s;
+  if (is_in && is_out && after.in_s.has_value() == after.out_s.has_value())
+    return after.in_s ? "set in and out" : "clear in and out";
+  // Of an in behind the out, and the reverse, the other one is cleared.
+  if (is_in && (after.in_s || !is_out)) return after.in_s ? "set in" : "clear in";
+  return after.out_s ? "set out" : "clear out";
+}
+
 }  // namespace
+
+/// In and out of a subject, changed by a person.
+class EndsStep : public QUndoCommand {
+ public:
+  EndsStep(SubjectStage& stage, std::string subject, const Playback::Ends& before,
+           const Playback::Ends& after, int drag)
+      : QUndoCommand(words_of(before, after)),
+        m_stage(stage),
+        m_subject(std::move(subject)),
+        m_before(before),
+        m_after(after),
+        m_drag(drag) {}
+
+  int id() const override { return m_drag > 0 ? ends_step_id : -1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& later = static_cast<const EndsStep&>(*other);
+    if (later.m_drag != m_drag || later.m_subject != m_subject) return false;
+    m_after = later.m_after;
+    setText(words_of(m_before, m_after));
+    setObsolete(m_after == m_before);
+    return true;
+  }
+  void undo() override { m_stage.restoreEnds(m_subject, m_before, text()); }
+  void redo() override { m_stage.restoreEnds(m_subject, m_after, text()); }
+
+ private:
+  SubjectStage& m_stage;
+  std::string m_subject;
+  Playback::Ends m_before, m_after;
+  int m_drag;
+};
+
+SubjectStage::SubjectStage(MainWindow& window) : m_window(window) {
+  FrameTicker& ticker = window.ticker();
+  QObject::connect(
+      &ticker, &FrameTicker::endsChanged, &ticker,
+      [this](const Playback::Ends& before, const Playback::Ends& after, int drag) {
+        m_window.undoStack().push(new EndsStep(*this, m_window.document().subject(), before, after, drag));
+      });
+}
+
+void SubjectStage::restoreEnds(const std::string& subject, const Playback::Ends& ends, const QString& what) {
+  if (subject == m_window.document().subject()) return m_window.ticker().restoreEnds(ends);
+  m_places[subject].set_ends(ends);
+  m_window.messages().showInformation(
+      QString("%1 of %2, which is not shown")
+          .arg(what, subject.empty() ? "the session" : QString::fromStdString(subject)));
+}
 
 Status SubjectStage::show(const std::string& subject) {
   LiveSession* session = m_window.session();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,10 +13,11 @@ namespace abrazo::app {
 class MainWindow;
 
 /// Selects the frames of the window: those of the session, which continues meanwhile, or of a take of its
-/// library. Each subject keeps its cursor, in and out while another is shown.
+/// library. Each subject keeps its cursor, in and out while another is shown; changes of in and out are undo
+/// steps.
 class SubjectStage {
  public:
-  explicit SubjectStage(MainWindow& window) : m_window(window) {}
+  explicit SubjectStage(MainWindow& window);
 
   /// @param subject a take by name; "" = the session
   Status show(const std::string& subject);
@@ -28,6 +30,8 @@ class SubjectStage {
   const TakeFrames* take() const { return m_take.get(); }
 
  private:
+  friend class EndsStep;
+  void restoreEnds(const std::string& subject, const Playback::Ends& ends, const QString& what);
   void look(const std::shared_ptr<const TakeFrames>& take);
   void restore(const std::string& subject);
   void write(const std::string& subject);

@@ -173,6 +173,21 @@ void Playback::set_range(double a_s, double b_s) {
   settle_range();
 }
 
+Playback::Ends Playback::ends() const {
+  Ends ends;
+  if (in_set) ends.in_s = in_s;
+  if (out_set) ends.out_s = out_s;
+  return ends;
+}
+
+void Playback::set_ends(const Ends& ends) {
+  in_set = ends.in_s.has_value();
+  out_set = ends.out_s.has_value();
+  in_s = ends.in_s.value_or(0);
+  out_s = ends.out_s.value_or(0);
+  settle_range();
+}
+
 std::optional<Playback::Range> Playback::range() const {
   const Range left{std::max(in_s, first_s), std::min(out_s, last_s)};
   if (!in_set && !out_set && out_s <= in_s) return std::nullopt;

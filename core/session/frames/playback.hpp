@@ -17,6 +17,12 @@ struct Playback {
     bool operator==(const Range&) const = default;
   };
 
+  /// In and out as the user set them; none = not set.
+  struct Ends {
+    std::optional<double> in_s, out_s;
+    bool operator==(const Ends&) const = default;
+  };
+
   static constexpr double slowest = 0.01, fastest = 10, fastest_shuttle = 8;
 
   State state = State::Following;
@@ -64,6 +70,9 @@ struct Playback {
   void clear_out();
   /// Sets both ends, in either order; an empty range clears them.
   void set_range(double a_s, double b_s);
+  Ends ends() const;
+  /// Exactly as they were there, for undo.
+  void set_ends(const Ends& ends);
   /// The part of the range between in and out that is still available.
   std::optional<Range> range() const;
 

@@ -43,6 +43,20 @@ TEST(Playback, ReachingTheLiveEndFollowsIt) {
   EXPECT_EQ(p.cursor_s, 10);
 }
 
+TEST(Playback, InAndOutComeBackAsTheyWereSet) {
+  Playback p = playback(State::Parked, 4);
+  p.set_in();
+  const Playback::Ends only_in = p.ends();
+  EXPECT_EQ(only_in, (Playback::Ends{4, {}}));
+  p.set_range(1, 3);
+  p.set_ends(only_in);
+  EXPECT_EQ(p.range(), (Playback::Range{4, 10}));
+  p.extend(0, 20);
+  EXPECT_EQ(p.range(), (Playback::Range{4, 20})) << "an end that is not set lies at the end";
+  p.set_ends({});
+  EXPECT_FALSE(p.range());
+}
+
 TEST(Playback, PlayAtTheEndStartsOver) {
   Playback p = playback(State::Parked, 10);
   p.play();

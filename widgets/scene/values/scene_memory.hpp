@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "widgets/common/value_range.hpp"
 #include "widgets/scene/values/mesh_scalar.hpp"
 #include "widgets/scene/values/scene_options.hpp"
 #include "widgets/scene/values/scene_parts.hpp"
@@ -14,6 +15,12 @@ namespace abrazo::widgets {
 struct KeptRange {
   double lower = 0, upper = 0;
   bool operator==(const KeptRange&) const = default;
+};
+
+/// A colour range of the scene with all that it adapts by.
+struct LegendRange {
+  std::optional<MeshScalar> scalar;  ///< none: of the tetrahedra's volume ratios
+  SteadyRange range;
 };
 
 /// The setup of the scene as text keeps it; without selection, isolation and cutting planes, because whoever

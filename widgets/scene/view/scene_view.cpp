@@ -92,18 +92,22 @@ void SceneView::wireOverlay() {
   connect(p.chips, &ScalarChips::cellsChosen, this,
           [this](bool shown) { showPart(ScenePart::Tetrahedra, shown); });
   connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::edit);
-  connect(p.legend, &ScalarLegend::lockToggled, this,
-          [this](bool locked) { m_parts->range().set_locked(locked); });
+  for (ScalarLegend* legend : {p.legend, p.cell_legend})
+    connect(legend, &ScalarLegend::lockToggled, this, [this, legend](bool locked) {
+      LegendRange after = shownRange(legend);
+      after.range.set_locked(locked);
+      editRange(after);
+    });
   connect(p.legend, &ScalarLegend::rangeRequested, this, [this](double lower, double upper) {
-    m_parts->range().fix(lower, upper);
-    refresh();
+    LegendRange after = shownRange(m_parts->legend);
+    after.range.fix(lower, upper);
+    editRange(after);
   });
   connect(p.cell_legend, &ScalarLegend::rangeRequested, this, [this](double, double ratio) {
-    m_parts->cell_range.fix(0, std::max(std::abs(std::log2(ratio)), least_doublings));
-    refresh();
+    LegendRange after = shownRange(m_parts->cell_legend);
+    after.range.fix(0, std::max(std::abs(std::log2(ratio)), least_doublings));
+    editRange(after);
   });
-  connect(p.cell_legend, &ScalarLegend::lockToggled, this,
-          [this](bool locked) { m_parts->cell_range.set_locked(locked); });
   connect(p.legend, &ScalarLegend::mapRequested, this, [this](ColourMap map, bool logarithmic) {
     SceneOptions options = m_parts->options;
     options.map = map;
@@ -116,6 +120,26 @@ void SceneView::wireOverlay() {
     showPart(ScenePart::MorphSteps, false);
     refresh();
   });
+}
+
+LegendRange SceneView::shownRange(const ScalarLegend* legend) const {
+  const Parts& p = *m_parts;
+  if (legend == p.cell_legend) return {std::nullopt, p.cell_range};
+  return {p.scalar, p.ranges[static_cast<std::size_t>(p.scalar)]};
+}
+
+void SceneView::editRange(const LegendRange& after) {
+  const LegendRange before = shownRange(after.scalar ? m_parts->legend : m_parts->cell_legend);
+  restoreRange(after);
+  if (!after.range.has_ends_of(before.range)) emit rangeEdited(before, after);
+}
+
+void SceneView::restoreRange(const LegendRange& range) {
+  Parts& p = *m_parts;
+  (range.scalar ? p.ranges[static_cast<std::size_t>(*range.scalar)] : p.cell_range) = range.range;
+  p.legend->setLocked(p.range().locked());
+  p.cell_legend->setLocked(p.cell_range.locked());
+  refresh();
 }
 
 const PartVisibility& SceneView::visibility() const {

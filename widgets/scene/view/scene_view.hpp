@@ -20,6 +20,8 @@
 
 namespace abrazo::widgets {
 
+class ScalarLegend;
+
 /// Both characters, the user, the selected pair and the mesh between the bodies. Renders once per shown
 /// frame; requests nothing of the solver. Requests selections and shows the given one.
 class SceneView : public QWidget {
@@ -91,6 +93,8 @@ class SceneView : public QWidget {
   void edit(const abrazo::widgets::SceneOptions& options);
   /// The cutting plane of these options, exactly as it was there.
   void restoreCut(const abrazo::widgets::SceneOptions& options);
+  /// A range of the legend, exactly as it was there.
+  void restoreRange(const abrazo::widgets::LegendRange& range);
   /// Moves the cutting plane [m], and rotates a plane fixed in the world [rad].
   void moveCut(double by_m, double turn_rad, double tilt_rad);
 
@@ -119,6 +123,8 @@ class SceneView : public QWidget {
   /// that follow each other quickly
   void cutEdited(const abrazo::widgets::SceneOptions& before, const abrazo::widgets::SceneOptions& after,
                  int edit);
+  /// A person set a range of the legend, or whether it adapts.
+  void rangeEdited(const abrazo::widgets::LegendRange& before, const abrazo::widgets::LegendRange& after);
   void scalarChanged(abrazo::widgets::MeshScalar scalar);
   void selectionRequested(const abrazo::widgets::Selection& selection);
   /// The candidate whose ghost is hovered, index into the frame's; -1 = the pointer left.
@@ -135,6 +141,8 @@ class SceneView : public QWidget {
 
  private:
   void wireOverlay();
+  LegendRange shownRange(const ScalarLegend* legend) const;
+  void editRange(const LegendRange& after);
   void wirePointer();
   void dragged(QPointF delta, PointerMove move);
   void applyOptions(const SceneOptions& wanted);

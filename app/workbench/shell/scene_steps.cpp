@@ -8,8 +8,10 @@
 namespace abrazo::app {
 namespace {
 
+using widgets::LegendRange;
 using widgets::SceneOptions;
 using widgets::SceneView;
+using widgets::SteadyRange;
 
 constexpr int cut_step_id = 0x637574;  // "cut"; no other command has it
 
@@ -53,9 +55,40 @@ class CutStep : public QUndoCommand {
   int m_edit;
 };
 
+QString words_of(const SteadyRange& before, const SteadyRange& after) {
+  if (!after.locked()) return "adapt the range of colours";
+  const bool is_same = after.lower() == before.lower() && after.upper() == before.upper();
+  return is_same ? "keep the range of colours" : "set the range of colours";
+}
+
+/// A range of the legend changed by a person.
+class RangeStep : public QUndoCommand {
+ public:
+  RangeStep(SceneView& scene, const LegendRange& before, const LegendRange& after)
+      : QUndoCommand(words_of(before.range, after.range)),
+        m_scene(&scene),
+        m_before(before),
+        m_after(after) {}
+
+  void undo() override { show(m_before); }
+  void redo() override { show(m_after); }
+
+ private:
+  void show(const LegendRange& range) {
+    if (m_scene) m_scene->restoreRange(range);
+  }
+
+  QPointer<SceneView> m_scene;
+  LegendRange m_before, m_after;
+};
+
 }  // namespace
 
-void keep_cut_edits(SceneView& scene, QUndoStack& undo) {
+void keep_scene_edits(SceneView& scene, QUndoStack& undo) {
+  QObject::connect(&scene, &SceneView::rangeEdited, &undo,
+                   [&scene, &undo](const LegendRange& before, const LegendRange& after) {
+                     undo.push(new RangeStep(scene, before, after));
+                   });
   QObject::connect(&scene, &SceneView::cutEdited, &undo,
                    [&scene, &undo](const SceneOptions& before, const SceneOptions& after, int edit) {
                      undo.push(new CutStep(scene, before, after, edit));
