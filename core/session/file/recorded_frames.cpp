@@ -189,6 +189,18 @@ class FileFrames : public RecordedFrames {
     return frames;
   }
 
+  std::vector<double> times(double from_s, double to_s) const override {
+    constexpr double rounding_s = 1e-6;  // of the shifted bounds
+    const std::scoped_lock lock(mutex_);
+    if (!reader_) return {};
+    auto found =
+        reader_->times(from_s + origin_.offset_s - rounding_s, to_s + origin_.offset_s + rounding_s, first());
+    if (!found) return note_damage(1, found.error().message), std::vector<double>();
+    for (double& time_s : *found) time_s -= origin_.offset_s;
+    std::erase_if(*found, [&](double time_s) { return time_s < from_s || time_s > to_s; });
+    return std::move(*found);
+  }
+
   bool is_kept(std::uint64_t first_index, std::uint64_t last_index, std::size_t most) const override {
     const std::scoped_lock lock(mutex_);
     return overview_.is(static_cast<std::int64_t>(first_index + origin_.offset_frames),
