@@ -390,13 +390,18 @@ class FileFrames : public RecordedFrames {
     std::shared_ptr<const NotedPairs>& known = noted_by_id_[id];
     if (known) return known;
     auto noted = std::make_shared<NotedPairs>();
+    auto named = database_->prepare("SELECT name, absolute_path FROM libraries WHERE id = ?");
+    if (named) {
+      const auto row = named->bind(0, id).step();
+      if (row && *row) noted->library = named->text(0), noted->file = named->text(1);
+    }
     auto rows = database_->prepare("SELECT pair, take, frame, swapped, label FROM pairs WHERE library = ?");
     if (rows) {
       rows->bind(0, id);
       for (auto more = rows->step(); more && *more; more = rows->step())
-        noted->insert_or_assign(static_cast<int>(rows->integer(0)),
-                                NotedPair{rows->text(1), static_cast<int>(rows->integer(2)),
-                                          rows->integer(3) != 0, rows->text(4)});
+        noted->by_number.insert_or_assign(static_cast<int>(rows->integer(0)),
+                                          NotedPair{rows->text(1), static_cast<int>(rows->integer(2)),
+                                                    rows->integer(3) != 0, rows->text(4)});
     }
     return known = std::move(noted);
   }
