@@ -72,7 +72,8 @@ Result<EvenTiming> plan_motion(std::span<const double> times_s, double rate_hz, 
 
 Result<ExportPlan> plan_export(const ExportWish& wish, std::span<const double> times_s) {
   ExportPlan plan;
-  if (times_s.empty() && !wish.one_mesh()) return Error{"there are no frames in this part; choose another", wish.output};
+  if (times_s.empty() && !wish.one_mesh())
+    return Error{"there are no frames in this part; choose another", wish.output};
   plan.frames = times_s.size();
   switch (wish.content) {
     case ExportContent::Motion: {
