@@ -93,6 +93,7 @@ bool is_in_place(const SourceFile& file, std::string_view place, std::string& fi
 /// What a view may see of core: what was computed, what it can ask for, and plain values.
 bool is_open_to_widgets(const std::string& include) {
   static const std::set<std::string> open = {"core/session/frames/comparison_plan.hpp",
+                                             "core/session/frames/frame_gaps.hpp",
                                              "core/session/frames/frame_snapshot.hpp",
                                              "core/session/frames/frame_history.hpp",
                                              "core/session/frames/frame_in_library.hpp",

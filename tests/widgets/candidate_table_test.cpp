@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/session/frames/frame_in_library.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/candidates/candidate_header.hpp"
@@ -92,6 +93,25 @@ TEST(CandidateTable, KeepsTheChosenPairWhenTheOrderChanges) {
   EXPECT_EQ(t.list->rows().front().rank, 5) << "descending";
   EXPECT_EQ(t.list->current()->pair, pair);
   EXPECT_TRUE(t.list->rows().back().selected) << "the winner stays marked";
+}
+
+/// It said "Nothing selected yet", as if it were not known why.
+TEST(CandidateTable, SaysWithWhichLibraryAFrameWasDancedThatIsNotOpenAndHowToOpenIt) {
+  Table t;
+  auto foreign = std::make_shared<FrameSnapshot>(*synthetic_frame(1, 0.03));
+  foreign->library = nullptr;
+  foreign->noted_pairs = std::make_shared<const NotedPairs>(NotedPairs{"waltz", "/captures/waltz.h5", {}});
+  t.table.showFrame(in_library(foreign, two_take_library()));
+  EXPECT_TRUE(t.table.rows().empty());
+  EXPECT_EQ(
+      t.list->accessibleDescription(),
+      "Danced with library “waltz”, which is not open. To see its candidates open the session and waltz.h5 "
+      "together: File > Open…, both files at once.");
+  EXPECT_GT(t.list->height(), CandidateList::row_height) << "all of it is in view";
+  EXPECT_GT(pixels_like(picture_of(*t.list), palette_of(Theme::Dark).secondary), 50);
+  t.table.showFrame(synthetic_frame(2, 0.06));
+  EXPECT_EQ(t.table.rows().size(), 5U);
+  EXPECT_EQ(t.list->height(), 5 * CandidateList::row_height);
 }
 
 TEST(CandidateTable, AsksForTheSelectionAndShowsThatOfOtherViews) {

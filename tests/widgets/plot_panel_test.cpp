@@ -106,6 +106,31 @@ TEST_F(Plots, ShowEnergiesResidualsAndCostAtFirstInBothThemes) {
   }
 }
 
+TEST(PlotsOfARecordingWithAGap, DrawNoLineAcrossIt) {
+  FrameHistory history;
+  for (const FrameSnapshotPtr& frame : forty_seconds()) {
+    auto late = std::make_shared<FrameSnapshot>(*frame);
+    late->time_s = 0.25 * frame->time_s + (frame->index < 600 ? 0 : 6);
+    history.append(late);
+  }
+  Playback playback;
+  playback.extend(history.span().first_s, history.span().last_s);
+  playback.follow();
+  PlotPanel panel;
+  panel.resize(930, 170);
+  panel.show();
+  panel.refresh(history, playback, history.at(playback.cursor_s));
+  const auto line = [&panel](double from_s, double to_s) {
+    const int left = static_cast<int>(panel.pane(0).x() + panel.pane(0).xOf(from_s)),
+              right = static_cast<int>(panel.pane(0).x() + panel.pane(0).xOf(to_s));
+    return pixels_of_hue(picture_of(panel).copy(left, 34, right - left, 130),
+                         palette_of(Theme::Dark).energy_constraint);
+  };
+  EXPECT_GT(line(1, 4.5), 10);
+  EXPECT_EQ(line(5.5, 10.5), 0);
+  EXPECT_GT(line(11.5, 15), 10);
+}
+
 TEST_F(Plots, AClickGoesThereAndADragMovesTheWindow) {
   QSignalSpy asked(&panel, &PlotPanel::seekRequested);
   QTest::mouseClick(&surface(1), Qt::LeftButton, {}, at(1, 30));

@@ -105,6 +105,26 @@ TEST(SampleTable, GapsBreakTheLine) {
   }
 }
 
+TEST(SampleTable, TheLineIsBrokenWhereTheRecordingHasAGapHoweverFarAway) {
+  SampleTable table;
+  for (std::uint64_t i = 0; i < 40'000; ++i) {
+    const bool after_gap = i == 20'000;
+    table.append(row(i, static_cast<double>(i) / 100 + (i < 20'000 ? 0 : 50), 1), after_gap);
+    if (i % 100 == 0) table.thin_older(5'000, 4'000);
+  }
+  const auto breaks = [&table](double from_s, double to_s, int columns) {
+    return std::ranges::count_if(table.line(drawn, from_s, to_s, columns),
+                                 [](const auto& point) { return std::isnan(point.value); });
+  };
+  EXPECT_EQ(breaks(0, 450, 400), 1);
+  EXPECT_EQ(breaks(190, 260, 4000), 1);
+  EXPECT_EQ(breaks(210, 230, 400), 1) << "from one end of the gap to the other";
+  EXPECT_EQ(breaks(260, 450, 400), 0);
+  EXPECT_EQ(breaks(0, 450, 4), 0) << "it has no place in a picture of four columns";
+  table.drop_before(300);
+  EXPECT_EQ(breaks(0, 450, 400), 0);
+}
+
 TEST(SampleTable, OfOlderRowsFewRemainAndNoSpikeIsLost) {
   constexpr std::uint64_t rows = 60'000, spike = 12'345, dip = 20'011;
   SampleTable table;

@@ -71,11 +71,11 @@ TEST(SampleCurve, AColumnWithoutSamplesIsEmpty) {
   EXPECT_EQ(two.size(), 2u);
 }
 
-TEST(SampleCurve, ShortGapsAreBridgedOnAStraightLineAndLongOnesStay) {
+TEST(SampleCurve, EmptyColumnsAreBridgedOnAStraightLineAndGapsStay) {
   const SampleCurve::Extent none{1, -1};
   std::vector<SampleCurve::Extent> columns = {none, {0, 2}, none, none,   {4, 4},
                                               none, none,   none, {5, 5}, none};
-  bridge_columns(columns, 2);
+  bridge_columns(columns, [](std::size_t first, std::size_t end) { return first <= 6 && 6 < end; });
   EXPECT_EQ(columns[2].least, 2);
   EXPECT_EQ(columns[3].most, 3);
   EXPECT_TRUE(is_empty(columns[5]));

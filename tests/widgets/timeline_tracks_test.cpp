@@ -188,6 +188,24 @@ TEST(TimelineTracks, EndAtAGapOfARecordingWhoseRowsAreThinned) {
   }
 }
 
+/// The cost had a line over the gap, which the lanes showed.
+TEST(TimelineTracks, TheCurvesEndWhereTheLanesDo) {
+  TimelineTracks tracks;
+  for (const double time_s : {0.0, 2.0, 4.0, 9.0, 11.0, 20.0}) {
+    TrackRow row;
+    row.time_s = time_s;
+    row.take = time_s == 20 ? -1 : 1;
+    row.left_out_s = time_s > 0 ? 2 : 0;
+    row.is_by_intent = time_s > 9;
+    tracks.append(row);
+  }
+  EXPECT_FALSE(tracks.has_gap_of_curves(0.5, 3.5)) << "rows were left out";
+  EXPECT_TRUE(tracks.has_gap_of_curves(3.5, 9.5));
+  EXPECT_TRUE(tracks.has_gap_of_curves(5, 6));
+  EXPECT_FALSE(tracks.has_gap_of_curves(9.5, 10.5)) << "another method";
+  EXPECT_TRUE(tracks.has_gap_of_curves(10, 20)) << "nothing was selected";
+}
+
 TEST(TimelineTracks, KnowWhichMethodACostIsOf) {
   TimelineTracks tracks;
   for (int i = 0; i < 6; ++i) {

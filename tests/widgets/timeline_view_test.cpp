@@ -17,6 +17,7 @@ namespace {
 
 using test::picture_of;
 using test::pixels_like;
+using test::pixels_of_hue;
 using test::synthetic_frame;
 using test::two_take_library;
 
@@ -402,6 +403,38 @@ TEST_F(Timeline, TheUsersRoleHasALaneOfItsOwn) {
   view.resize(900, view.sizeHint().height());
   ASSERT_EQ(view.tracks().user_roles().size(), 2U);
   EXPECT_NEAR(view.tracks().user_roles()[1].from_s, 200.0 / 30, 1e-6);
+}
+
+/// Lost packets, and two takes between which nothing was recorded.
+TEST(TimelineOfARecordingWithGaps, DrawsNoLineAcrossThem) {
+  const FrameSnapshotPtr like = synthetic_frame(0, 0);
+  FrameHistory history;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    auto frame = std::make_shared<FrameSnapshot>(*like);
+    frame->index = i < 200 ? i : i + 90;
+    frame->time_s = static_cast<double>(i) / 30 + (i < 100 ? 0 : i < 200 ? 3 : 6);
+    frame->input_rate_hz = 30;
+    history.append(frame);
+  }
+  Playback playback;
+  playback.extend(history.span().first_s, history.span().last_s);
+  playback.seek(1);
+  TimelineView view;
+  view.setLibrary(two_take_library());
+  view.resize(900, view.sizeHint().height());
+  view.show();
+  view.refresh(history, playback);
+  const auto line = [&view](double from_s, double to_s) {
+    const int left = static_cast<int>(view.axis().x(from_s)), right = static_cast<int>(view.axis().x(to_s));
+    const QRect cost(left, static_cast<int>(view.lanes().top_of(TimelineLane::Cost)), right - left,
+                     static_cast<int>(info_of(TimelineLane::Cost).height_px));
+    return pixels_of_hue(picture_of(view).copy(cost), dark().user);
+  };
+  EXPECT_GT(line(1.5, 3), 20);
+  EXPECT_EQ(line(3.5, 6.1), 0) << "packets were lost";
+  EXPECT_GT(line(6.5, 9), 20);
+  EXPECT_EQ(line(9.8, 12.5), 0) << "between the takes, whose frames are not numbered on";
+  EXPECT_GT(line(13, 15), 20);
 }
 
 /// Of which the timeline reads one frame in five.

@@ -22,6 +22,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
+#include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/section_header.hpp"
@@ -240,6 +241,13 @@ TEST_F(BuiltSession, SavedWhileItsLibraryWasMissingItIsAskedForAgainAndComesBack
   ASSERT_TRUE(until([&] { return ticker().shown()->time_s <= recorded_s; }));
   EXPECT_EQ(ticker().shown()->result.selected, -1) << "no pair of the library that stands in";
   EXPECT_TRUE(window().candidates().rows().empty());
+  const auto* list = window().candidates().findChild<widgets::CandidateList*>();
+  const QString why =
+      "Danced with library “library”, which is not open. To see its candidates open the session again, "
+      "and locate the files of the library.";
+  EXPECT_TRUE(until([&] { return list->accessibleDescription() == why; }))
+      << list->accessibleDescription().toStdString();
+  EXPECT_EQ(window().candidates().reason(), "") << "and not that there was no candidate";
   ticker().follow();
   press(Qt::Key_M);
   press(Qt::Key_S, Qt::ControlModifier);

@@ -35,7 +35,7 @@ TEST_F(ExportWindow, TheMenuOpensTheDialogOfWhatThereIs) {
   turn();
   EXPECT_TRUE(dialog().isVisible());
   EXPECT_GT(box("Of").count(), 1) << "the session and the takes of its library";
-  EXPECT_TRUE(estimate().contains("frames, about")) << estimate().toStdString();
+  EXPECT_TRUE(estimate().contains(" frames at ")) << estimate().toStdString();
   dialog().hide();
 }
 
@@ -315,6 +315,34 @@ TEST_F(ExportWindow, AllOfALiveSessionIsWhatTheDialogSaid) {
   EXPECT_EQ(written, static_cast<std::ptrdiff_t>(history.range(*part.from_s, *part.to_s).size()));
   EXPECT_LT(*part.to_s, history.span().last_s - 0.5);
   EXPECT_NEAR(static_cast<double>(written), QLocale().toDouble(frames.section(' ', 0, 0)), 2);
+}
+
+/// A held input leaves a gap in the recording, which a file with one rate cannot have.
+TEST_F(ExportWindow, TheDialogSaysHowManyFramesAreWrittenAndHowManyOfThemAcrossAGap) {
+  SessionEngine& engine = window().session()->engine();
+  const FrameHistory& history = engine.history();
+  action("Hold the input still")->trigger();
+  const double released_s = engine.clock().now_s() + 1;
+  ASSERT_TRUE(until([&] { return engine.clock().now_s() > released_s; }));
+  action("Hold the input still")->trigger();
+  ASSERT_TRUE(until([&] { return history.span().last_s > released_s + 0.5; }));
+  const double after_s = history.stepped(released_s - 0.2, 1)->time_s;
+  ticker().setRange(after_s - 1.5, after_s + 0.4);
+  dialog().offer(desk().offer());
+  choose("Part", "range");
+  choose("As", ".csv");
+  for (const double rate_hz : {0.0, 25.0}) {
+    dialog().findChild<QDoubleSpinBox*>("Rate")->setValue(rate_hz);
+    const QString stated = estimate().section(", about", 0, 0), bridged = estimate().section('\n', 1);
+    write("gap.csv");
+    const std::string lines = content("gap.csv");
+    EXPECT_EQ(stated.section(' ', 0, 0).toLongLong(), std::ranges::count(lines, '\n') - 1);
+    EXPECT_THAT(told().toStdString(), HasSubstr(stated.toStdString())) << "number and rate";
+    EXPECT_THAT(bridged.toStdString(), HasSubstr(" interpolated across "));
+    EXPECT_THAT(told().toStdString(), HasSubstr(bridged.section(" of the", 0, 0).toStdString()));
+  }
+  dialog().findChild<QDoubleSpinBox*>("Rate")->setValue(0);
+  ticker().setRange(0, 0);
 }
 
 TEST_F(ExportWindow, ATakeOfTheLibraryIsWritten) {

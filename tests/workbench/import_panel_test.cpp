@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QTableWidget>
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -62,6 +64,58 @@ class ImportPanelTest : public DemoWindow {
     QDir(home().path()).mkpath(test->name());
     const QString file = home().filePath(QString("%1/%2").arg(test->name(), name));
     std::ofstream(file.toStdString()) << *write_bvh(std::vector<Clip>{take.a}, units_per_metre);
+    return file;
+  }
+  /// A person without joints at the toes, between the shoulders and in the hands, as many programs write it.
+  static QString without_toes_and_thorax(const QString& name) {
+    struct Bone {
+      int depth;
+      std::string name;  // empty: an end site
+      int x, y, z;
+    };
+    static const std::vector<Bone> bones = {{0, "Hips", 0, 90, 0},
+                                            {1, "LeftUpLeg", 10, -3, 0},
+                                            {2, "LeftLeg", 0, -42, 0},
+                                            {3, "LeftFoot", 0, -41, -5},
+                                            {4, "", 0, -2, 15},
+                                            {1, "RightUpLeg", -10, -3, 0},
+                                            {2, "RightLeg", 0, -42, 0},
+                                            {3, "RightFoot", 0, -41, -5},
+                                            {4, "", 0, -2, 15},
+                                            {1, "Spine", 0, 7, -3},
+                                            {2, "Spine1", 0, 20, 3},
+                                            {3, "Neck", 0, 22, -4},
+                                            {4, "Head", 0, 13, 5},
+                                            {5, "", 0, 18, 0},
+                                            {3, "LeftShoulder", 6, 16, 3},
+                                            {4, "LeftArm", 12, 2, -4},
+                                            {5, "LeftForeArm", 28, 0, 0},
+                                            {6, "LeftHand", 25, 0, 0},
+                                            {7, "", 15, 0, 0},
+                                            {3, "RightShoulder", -6, 16, 3},
+                                            {4, "RightArm", -12, 2, -4},
+                                            {5, "RightForeArm", -28, 0, 0},
+                                            {6, "RightHand", -25, 0, 0},
+                                            {7, "", -15, 0, 0}};
+    const QString file = home().filePath(name);
+    std::ofstream bvh(file.toStdString());
+    bvh << "HIERARCHY\n";
+    int open = 0;
+    std::string frame = "0 90 0";
+    for (const Bone& bone : bones) {
+      for (; open > bone.depth; --open) bvh << "}\n";
+      bvh << (bone.name.empty() ? "End Site" : (bone.depth == 0 ? "ROOT " : "JOINT ") + bone.name)
+          << "\n{\nOFFSET " << bone.x << ' ' << bone.y << ' ' << bone.z << '\n';
+      if (!bone.name.empty()) {
+        bvh << "CHANNELS " << (bone.depth == 0 ? "6 Xposition Yposition Zposition" : "3")
+            << " Zrotation Xrotation Yrotation\n";
+        frame += " 0 0 0";
+      }
+      ++open;
+    }
+    for (; open > 0; --open) bvh << "}\n";
+    bvh << "MOTION\nFrames: 4\nFrame Time: 0.04\n";
+    for (int f = 0; f < 4; ++f) bvh << frame << '\n';
     return file;
   }
   /// Two people in one file, who stand two metres apart.
@@ -461,6 +515,26 @@ TEST_F(ImportPanelTest, AMapIsSaidToBeOfNamesAndNotOfTheProgramThatWroteTheFile)
   EXPECT_TRUE(std::ranges::any_of(panel()->findChildren<QLabel*>(), [&](const QLabel* label) {
     return label->text().toStdString() == "25 of 25 joints found by names as in “" + map + "”";
   })) << map;
+}
+
+/// The head counted only some of the joints that the warnings below it named.
+TEST_F(ImportPanelTest, TheJointsFoundAndThoseInTheWarningsMakeAll) {
+  desk().offer({without_toes_and_thorax("walk_1.bvh")});
+  ASSERT_TRUE(shows());
+  const auto said = [](const std::string& words) {
+    return std::ranges::any_of(panel()->findChildren<QLabel*>(), [&](const QLabel* label) {
+      return label->text().toStdString().find(words) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(said("18 of 25 joints found by names as in “motive”, 7 inferred"));
+  EXPECT_TRUE(
+      said("7 of the 25 joints are not in the file and were inferred: "
+           "lfoot, ltoes, rfoot, rtoes, thorax, lhand, rhand"));
+  const auto* table = panel()->findChild<QTableWidget*>();
+  int inferred = 0;
+  for (int joint = 0; joint < table->rowCount(); ++joint)
+    inferred += table->item(joint, 1)->text().startsWith("inferred: ") ? 1 : 0;
+  EXPECT_EQ(inferred, 7);
 }
 
 TEST_F(ImportPanelTest, ThePictureStandsOnTheGroundAndLiesWhenTheAxisIsWrong) {

@@ -38,10 +38,11 @@ void CandidateList::setColours(const Palette& palette) {
 
 void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figure) {
   const bool other_unit = !rows.empty() && (m_rows.empty() || rows.front().method != m_rows.front().method);
+  const bool was_empty = m_rows.empty();
   m_rows = std::move(rows);
   m_figure = figure;
-  const int wanted = row_height * std::max<int>(static_cast<int>(m_rows.size()), 1);
-  if (wanted != minimumHeight()) setFixedHeight(wanted);
+  fit();
+  if (m_rows.empty() != was_empty) describe();
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
   // Grows immediately and shrinks slowly: bars that rescale with every frame cannot be read.
@@ -54,6 +55,30 @@ void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figu
   }
   point();
   update();
+}
+
+void CandidateList::setNotice(const QString& notice) {
+  if (notice == m_notice) return;
+  m_notice = notice;
+  fit();
+  describe();
+  update();
+}
+
+/// As high as the rows, or as the notice in their place.
+void CandidateList::fit() {
+  constexpr int margins = 2 * CandidateLayout::margin, above_and_below = 8;
+  const QRect room(0, 0, std::max(1, width() - margins), QWIDGETSIZE_MAX);
+  const int wanted =
+      m_rows.empty()
+          ? std::max(row_height,
+                     fontMetrics().boundingRect(room, Qt::TextWordWrap, m_notice).height() + above_and_below)
+          : row_height * static_cast<int>(m_rows.size());
+  if (wanted != minimumHeight()) setFixedHeight(wanted);
+}
+
+void CandidateList::resizeEvent(QResizeEvent*) {
+  fit();
 }
 
 const CandidateRow* CandidateList::row(int index) const {
@@ -113,7 +138,7 @@ void CandidateList::setLinked(int candidate) {
 /// Screen reader text of the current row.
 void CandidateList::describe() {
   const CandidateRow* row = current();
-  if (!row) return setAccessibleDescription("No row is selected");
+  if (!row) return setAccessibleDescription(m_rows.empty() ? m_notice : "No row is selected");
   QString words = QString("Rank %1 of %2, %3 frame %4, %5, total cost %6")
                       .arg(row->rank)
                       .arg(m_rows.size())
@@ -139,7 +164,8 @@ void CandidateList::paintEvent(QPaintEvent* event) {
   painter.setRenderHint(QPainter::Antialiasing);
   if (m_rows.empty()) {
     painter.setPen(m_palette.secondary);
-    painter.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignVCenter, "Nothing selected yet");
+    constexpr int margin = CandidateLayout::margin;
+    painter.drawText(rect().adjusted(margin, 0, -margin, 0), Qt::AlignVCenter | Qt::TextWordWrap, m_notice);
   }
   const int first = event->rect().top() / row_height;
   const int last = std::min(static_cast<int>(m_rows.size()) - 1, event->rect().bottom() / row_height);

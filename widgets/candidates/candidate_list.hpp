@@ -31,11 +31,14 @@ class CandidateList : public QWidget {
   Q_OBJECT
  public:
   static constexpr int row_height = CandidateLayout::row_height;
+  static constexpr const char* nothing_yet = "Nothing selected yet";
 
   explicit CandidateList(QWidget* parent = nullptr);
   /// In display order.
   void setRows(std::vector<CandidateRow> rows, CandidateColumn figure = CandidateColumn::Rank);
   const std::vector<CandidateRow>& rows() const { return m_rows; }
+  /// Shown in place of the rows where there are none.
+  void setNotice(const QString& notice);
   void setColours(const Palette& palette);
   /// Marks the row of a candidate hovered in another view; -1 = none.
   void setLinked(int candidate);
@@ -66,10 +69,12 @@ class CandidateList : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void leaveEvent(QEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
+  void fit();
   void paintRow(QPainter& painter, int index) const;
   void paintBackground(QPainter& painter, int index, const QRectF& line) const;
   void paintMarks(QPainter& painter, int index, const QRectF& line) const;
@@ -87,6 +92,7 @@ class CandidateList : public QWidget {
 
   Palette m_palette;
   std::vector<CandidateRow> m_rows;
+  QString m_notice = nothing_yet;
   CandidateColumn m_figure = CandidateColumn::Rank;
   double m_fullBar = 0;  ///< total of a full bar: grows immediately, shrinks slowly
   int m_hovered = -1;

@@ -1,5 +1,6 @@
 #include "widgets/candidates/candidate_table.hpp"
 
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -7,6 +8,7 @@
 #include <algorithm>
 
 #include "core/selection/intent_model.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/candidates/candidate_header.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/decision_bar.hpp"
@@ -33,6 +35,19 @@ QString subject(Reach reach, const CandidateRow& row) {
       return row.label.empty() ? QString("all without a label") : "all " + text(row.label).replace('_', ' ');
   }
   return {};
+}
+
+/// The library of a file can be opened together with the session; of another the session knows how it was
+/// made.
+QString way_to_open(const FrameSnapshot& frame) {
+  const AbsentLibrary& library = *frame.absent;
+  if (frame.library && frame.library->name() == library.name) return ".";
+  if (library.file.empty())
+    return ". To see its candidates open the session again, and locate the files of the library.";
+  const QString file = QFileInfo(text(library.file)).fileName();
+  return QString(
+             ". To see its candidates open the session and %1 together: File > Open…, both files at once.")
+      .arg(file);
 }
 
 constexpr const char* map_tip = "The candidates among all pairs of the library, in feature space";
@@ -83,6 +98,7 @@ QWidget* CandidateTable::makeFoot() {
   m_foot->setVerticalSpacing(0);
   m_reason->setObjectName("secondary");
   m_reason->setFont(interface_font(12));
+  m_reason->setTextFormat(Qt::PlainText);  // names of libraries are what people typed
   m_reason->setWordWrap(true);
   m_reason->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
   m_mapButton->setObjectName("chip");
@@ -143,6 +159,7 @@ void CandidateTable::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_frame.reset();
   m_ranked.clear();
   m_list->setRows({});
+  m_list->setNotice(CandidateList::nothing_yet);
   m_map->setLibrary(m_library);
   m_reason->clear();
   showDecisions(m_decisions);
@@ -233,8 +250,12 @@ void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
   m_frame = frame;
   m_ranked = candidate_rows(*frame, *m_library);
   showMethod(deciding_method(frame->result).value_or(m_method));
+  const QString absence = text(absence_text(*frame));
+  m_list->setNotice(frame->absent ? absence + way_to_open(*frame) : "Nothing selected in this frame");
   showRows();
-  m_reason->setText(text(winning_reason(m_ranked, frame->result.intent)));
+  m_reason->setText(!frame->absent     ? text(winning_reason(m_ranked, frame->result.intent))
+                    : m_ranked.empty() ? ""  // the list says it
+                                       : absence);
   showBelief();
 }
 

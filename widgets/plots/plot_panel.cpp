@@ -5,7 +5,9 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/session/frames/frame_gaps.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/plots/plot_colours.hpp"
 #include "widgets/plots/plot_menu.hpp"
@@ -34,6 +36,7 @@ struct PlotPanel::Parts {
   std::vector<PlotPane*> panes;
   QScrollBar* scroll = nullptr;  ///< by rows of panes
   SampleTable table;
+  FrameGaps gaps;
   SeriesReader reader;
   Selection selection;
   PaneSeries selected;  ///< series of the pane of the selection; without one when empty
@@ -123,6 +126,7 @@ void PlotPanel::setColours(const Palette& palette) {
 void PlotPanel::clear() {
   m_parts->next_index = 0;
   m_parts->table.clear();
+  m_parts->gaps = {};
   m_parts->reader = {};
   m_parts->selection_reader = SelectionReader(m_parts->selection);
   m_parts->unread_before = 0;
@@ -273,11 +277,13 @@ void PlotPanel::paintEvent(QPaintEvent*) {
 void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
                         const FrameSnapshotPtr& shown) {
   Parts& p = *m_parts;
-  for (const FrameSnapshotPtr& frame : history.next_since(p.next_index)) {
+  const std::vector<FrameSnapshotPtr> frames = history.next_since(p.next_index);
+  const std::uint64_t frames_each = frames.empty() ? 1 : history.frames_each();
+  for (const FrameSnapshotPtr& frame : frames) {
     p.next_index = frame->index + 1;
     SampleTable::Row row{frame->time_s, frame->index, p.reader.read(*frame)};
     p.selection_reader.read(*frame, row.values);
-    p.table.append(row);
+    p.table.append(row, p.gaps.next(*frame, frames_each).is_gap());
   }
   readSelection(history);
   p.table.drop_before(playback.first_s);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace abrazo::widgets {
 namespace {
@@ -60,7 +61,8 @@ bool is_later(double time_s, const SampleTable::Row& row) {
 
 }  // namespace
 
-void SampleTable::append(Row row) {
+void SampleTable::append(Row row, bool after_gap) {
+  if (after_gap && !rows_.empty()) gaps_.push_back({rows_.back().time_s, row.time_s});
   rows_.push_back(row);
   if ((dropped_ + rows_.size()) % block_rows != 0) return;
   if (rows_.size() < block_rows) {  // its beginning was dropped meanwhile
@@ -113,6 +115,7 @@ void SampleTable::drop_before(double time_s) {
     ++dropped_;
     thinning_.older -= thinning_.older > 0;
   }
+  while (!gaps_.empty() && gaps_.front().to_s < time_s) gaps_.pop_front();
   while (!blocks_.empty() && dropped_blocks_ * block_rows < dropped_) {
     blocks_.pop_front();
     ++dropped_blocks_;
@@ -188,13 +191,14 @@ std::vector<SampleTable::Point> SampleTable::line(Series series, double from_s, 
                                                   int columns) const {
   std::vector<Point> points;
   if (columns < 1 || !(to_s > from_s)) return points;
+  const double column_s = (to_s - from_s) / columns;
   const auto [first, last] = reach(from_s, to_s);
   const auto point = [&](std::size_t row) { return Point{rows_[row].time_s, value(row, series)}; };
   if (last - first <= 2 * static_cast<std::size_t>(columns)) {
     for (std::size_t row = first; row < last; ++row) points.push_back(point(row));
+    break_at_gaps(points, column_s);
     return points;
   }
-  const double column_s = (to_s - from_s) / columns;
   Column column;
   const auto enter = [&](double time_s) {
     const double raster = std::floor(time_s / column_s);
@@ -222,7 +226,23 @@ std::vector<SampleTable::Point> SampleTable::line(Series series, double from_s, 
     }
   }
   column.put(points);
+  break_at_gaps(points, column_s);
   return points;
+}
+
+/// Shorter gaps than a column are not seen, and would tear its least value from its largest.
+void SampleTable::break_at_gaps(std::vector<Point>& line, double least_s) const {
+  if (line.empty()) return;
+  auto gap = std::ranges::lower_bound(gaps_, line.front().time_s, {}, &Gap::from_s);
+  std::vector<Point> broken;
+  broken.reserve(line.size());
+  for (const Point& point : line) {
+    for (; gap != gaps_.end() && gap->to_s <= point.time_s; ++gap)
+      if (gap->to_s - gap->from_s >= least_s && !broken.empty())
+        broken.push_back({gap->from_s, std::numeric_limits<double>::quiet_NaN()});
+    broken.push_back(point);
+  }
+  line = std::move(broken);
 }
 
 std::string plot_csv(const SampleTable& table, double from_s, double to_s) {

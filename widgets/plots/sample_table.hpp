@@ -29,7 +29,8 @@ class SampleTable {
   };
 
   /// Rows come in ascending time.
-  void append(Row row);
+  /// @param after_gap  lines are broken before the row
+  void append(Row row, bool after_gap = false);
   /// Overwrites some series of a row; ignores frames that are not kept.
   void rewrite(std::uint64_t frame, const std::vector<Series>& which, const SeriesValues& values);
   /// Updates extremes after rewritten rows.
@@ -61,6 +62,11 @@ class SampleTable {
   static constexpr std::uint8_t no_row = 255;  ///< no finite value
   using Block = std::array<Extremes, series_count>;
 
+  /// Without a row inside.
+  struct Gap {
+    double from_s = 0, to_s = 0;
+  };
+  void break_at_gaps(std::vector<Point>& line, double least_s) const;
   struct Reach {
     std::size_t first, last;  ///< rows, last not included
   };
@@ -72,6 +78,7 @@ class SampleTable {
   double value(std::size_t row, Series series) const;
 
   std::deque<Row> rows_;
+  std::deque<Gap> gaps_;
   std::size_t dropped_ = 0;   ///< number of dropped rows; row r of the session is rows_[r - dropped_]
   std::deque<Block> blocks_;  ///< block b: rows [64 b, 64 b + 64) of the session
   std::size_t dropped_blocks_ = 0;

@@ -111,7 +111,8 @@ std::vector<SampleCurve::Extent> SampleCurve::columns(double from_s, double to_s
   return extents;
 }
 
-void bridge_columns(std::vector<SampleCurve::Extent>& columns, int longest) {
+void bridge_columns(std::vector<SampleCurve::Extent>& columns,
+                    const std::function<bool(std::size_t first, std::size_t end)>& has_gap) {
   std::ptrdiff_t previous = -1;
   const auto at = [&columns](std::ptrdiff_t i) -> SampleCurve::Extent& {
     return columns[static_cast<std::size_t>(i)];
@@ -119,7 +120,8 @@ void bridge_columns(std::vector<SampleCurve::Extent>& columns, int longest) {
   for (std::ptrdiff_t i = 0; i < std::ssize(columns); ++i) {
     if (is_empty(at(i))) continue;
     const std::ptrdiff_t steps = i - previous;
-    if (previous >= 0 && steps > 1 && steps - 1 <= longest) {
+    if (previous >= 0 && steps > 1 &&
+        !has_gap(static_cast<std::size_t>(previous + 1), static_cast<std::size_t>(i))) {
       const auto middle = [](const SampleCurve::Extent& column) { return (column.least + column.most) / 2; };
       const float from = middle(at(previous)), to = middle(at(i));
       for (std::ptrdiff_t k = 1; k < steps; ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "widgets/common/thinning.hpp"
@@ -49,8 +50,10 @@ inline bool is_empty(const SampleCurve::Extent& column) {
   return column.least > column.most;
 }
 
-/// Interpolates up to `longest` empty columns between two others linearly.
-void bridge_columns(std::vector<SampleCurve::Extent>& columns, int longest);
+/// Interpolates empty columns between two others linearly, unless they have a gap.
+/// @param has_gap  whether the empty columns [first, end) have
+void bridge_columns(std::vector<SampleCurve::Extent>& columns,
+                    const std::function<bool(std::size_t first, std::size_t end)>& has_gap);
 
 /// Upper end for a curve of these columns: the largest value without outliers. 0 without any.
 double usual_upper(const std::vector<SampleCurve::Extent>& columns);

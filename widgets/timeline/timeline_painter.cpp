@@ -200,7 +200,10 @@ class Painting {
     const double upper = usual_upper(columns);
     if (!(upper > 0)) return;
     const double seconds_per_column = axis.seconds_per_pixel() / scale;
-    bridge_columns(columns, static_cast<int>(c.tracks.longest_gap_s() / seconds_per_column));
+    bridge_columns(columns, [&](std::size_t first, std::size_t end) {
+      return c.tracks.has_gap_of_curves(axis.first_s + static_cast<double>(first) * seconds_per_column,
+                                        axis.first_s + static_cast<double>(end) * seconds_per_column);
+    });
     QImage line = curve_picture(columns, upper, static_cast<int>(area.height() * scale), 1.2 * scale, colour);
     line.setDevicePixelRatio(scale);
     p.drawImage(area.topLeft(), line);

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/session/frames/frame_gaps.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
 using Interval = TimelineTracks::Interval;
 using Lane = TimelineTracks::Lane;
-
-constexpr double gap_s = 0.5;  // of rows that are frame by frame
-
-/// Rows that are farther apart have a gap between them.
-double gap_beyond(double left_out_s) {
-  constexpr double uneven = 1.5;  // rows thinned evenly by index are not quite even in time
-  return std::max(gap_s, uneven * left_out_s);
-}
 
 /// The first interval that ends after a time.
 Lane::const_iterator ending_after(const Lane& lane, double time_s) {
@@ -26,12 +20,22 @@ Lane::const_iterator ending_after(const Lane& lane, double time_s) {
 }  // namespace
 
 double TimelineTracks::longest_gap_s() const {
-  return gap_beyond(left_out_s_);
+  return gap_beyond_s(left_out_s_);
+}
+
+bool TimelineTracks::has_gap_of_curves(double from_s, double to_s) const {
+  auto there = ending_after(by_intent_, from_s);
+  double until_s = from_s;
+  for (; until_s < to_s && there != by_intent_.end(); ++there) {
+    if (there->from_s > until_s) return true;
+    until_s = there->to_s;
+  }
+  return until_s < to_s;
 }
 
 void TimelineTracks::append(const TrackRow& row) {
   left_out_s_ = std::max(left_out_s_, row.left_out_s);
-  const double gap = gap_beyond(row.left_out_s);
+  const double gap = gap_beyond_s(row.left_out_s);
   extend(sources_, row.time_s, gap, row.take, row.source_changed);
   extend(moves_, row.time_s, gap, label_key(row.label));
   extend(leaders_, row.time_s, gap, static_cast<int>(row.leader));

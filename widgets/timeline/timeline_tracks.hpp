@@ -69,7 +69,9 @@ class TimelineTracks {
   const SampleCurve& energies() const { return energies_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
 
-  /// Curves end at a gap longer than this; lanes at one that what was left out there does not explain.
+  /// Whether the curves end between two times: frames have a gap there, or nothing selected.
+  bool has_gap_of_curves(double from_s, double to_s) const;
+  /// Longer than any interval without a gap.
   double longest_gap_s() const;
 
   /// The pair selected in the frame shown at a time; -1 = none.

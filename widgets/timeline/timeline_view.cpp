@@ -80,8 +80,7 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_content.lanes = lanes;
   m_content.library = std::move(library);
   m_nextIndex = 0;
-  m_isBegun = false;
-  m_previousTime = 0;
+  m_gaps = {};
   m_drag = Drag::None;
   arrange();  // the new viewport has no place yet
 }
@@ -123,7 +122,7 @@ void TimelineView::showOtherFrames() {
   m_content.takes = std::move(before.takes);
   m_content.lost = std::move(before.lost);
   m_nextIndex = 0;
-  m_isBegun = false;
+  m_gaps = {};
   m_settingsMarksScale = 0;
   m_drag = Drag::None;
   arrange();
@@ -170,7 +169,8 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   if (span.memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
   m_content.memory_first_s = span.memory_first_s;
   const std::vector<FrameSnapshotPtr> frames = history.next_since(m_nextIndex);
-  for (const FrameSnapshotPtr& frame : frames) take(*frame);
+  const std::uint64_t frames_each = frames.empty() ? 1 : history.frames_each();
+  for (const FrameSnapshotPtr& frame : frames) take(*frame, frames_each);
   if (!frames.empty() && frames.back()->time_s < span.last_s) emit unfinished();
   m_content.tracks.drop_before(playback.first_s);
   m_content.tracks.thin_older(newest_kept, older_kept);
@@ -180,23 +180,16 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   update();
 }
 
-void TimelineView::take(const FrameSnapshot& frame) {
-  const bool left_out = m_isBegun && frame.index > m_nextIndex;
-  const double apart = left_out ? static_cast<double>(frame.index + 1 - m_nextIndex) : 1;
+void TimelineView::take(const FrameSnapshot& frame, std::uint64_t frames_each) {
+  const FrameInterval interval = m_gaps.next(frame, frames_each);
   m_nextIndex = frame.index + 1;
-  m_isBegun = true;
   const std::size_t changes = m_content.settings.changes().size();
   m_content.settings.append(frame);
   if (m_content.settings.changes().size() != changes) m_settingsMarksScale = 0;
-  const bool has_elapsed = !left_out && frame.elapsed_s > 0;
-  TrackRow row =
-      row_of(frame, m_content.library, has_elapsed ? frame.elapsed_s : frame.time_s - m_previousTime);
-  // The time that they took, not that of a gap among them.
-  const double since_s = frame.time_s - m_previousTime;
-  if (left_out)
-    row.left_out_s = frame.input_rate_hz > 0 ? std::min(since_s, apart / frame.input_rate_hz) : since_s;
+  const bool has_elapsed = interval.is_adjacent && frame.elapsed_s > 0;
+  TrackRow row = row_of(frame, m_content.library, has_elapsed ? frame.elapsed_s : interval.since_s);
+  row.left_out_s = interval.left_out_s;
   m_content.tracks.append(row);
-  m_previousTime = frame.time_s;
 }
 
 void TimelineView::append(std::span<const TrackRow> rows) {

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <span>
 
+#include "core/session/frames/frame_gaps.hpp"
 #include "core/session/frames/frame_history.hpp"
 #include "widgets/timeline/timeline_content.hpp"
 #include "widgets/timeline/timeline_hit.hpp"
@@ -116,7 +117,7 @@ class TimelineView : public QWidget {
  private:
   enum class Drag { None, Cursor, In, Out, NewRange, Marker, View, Overview, Tier };
 
-  void take(const FrameSnapshot& frame);
+  void take(const FrameSnapshot& frame, std::uint64_t frames_each);
   void place(const Playback& playback);
   void redraw();
   void arrange();
@@ -137,8 +138,7 @@ class TimelineView : public QWidget {
   QPixmap m_layer;
   bool m_layerIsOld = true;
   std::uint64_t m_nextIndex = 0;
-  bool m_isBegun = false;           ///< a frame was taken
-  double m_previousTime = 0;        ///< of the last frame
+  FrameGaps m_gaps;
   double m_settingsMarksScale = 0;  ///< [s/px] at which the marks were merged
   QScrollBar* m_scroll;
 

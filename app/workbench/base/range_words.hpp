@@ -2,10 +2,16 @@
 
 #include <QString>
 #include <cmath>
+#include <cstddef>
 
 #include "core/session/frames/playback.hpp"
 
 namespace abrazo::app {
+
+/// "1 frame", "1,234 frames"
+inline QString counted(std::size_t count, const char* one) {
+  return QString("%L1 %2%3").arg(count).arg(one, count == 1 ? "" : "s");
+}
 
 /// "1.25 s"
 inline QString in_seconds(double time_s, int decimals = 2) {

@@ -10,6 +10,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/output_file.hpp"
 #include "core/session/export/exporting.hpp"
+#include "core/session/frames/take_frames.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/offer_bar.hpp"
 #include "widgets/plots/plot_panel.hpp"
@@ -26,13 +27,6 @@ QString session_name(const RecordedSession& session) {
 using widgets::PlotExport;
 
 constexpr const char* export_job = "export";  // of the messages
-
-/// Of the frames before a time: what an estimate goes by.
-double rate_at(const FrameHistory& history, double to_s) {
-  const auto last = history.range(to_s - 1, to_s, 256);
-  if (last.size() < 2) return 0;
-  return static_cast<double>(last.size() - 1) / (last.back()->time_s - last.front()->time_s);
-}
 
 }  // namespace
 
@@ -58,13 +52,12 @@ ExportOffer ExportDesk::offer() const {
   const auto span = history.span();
   const Material& material = session->material();
   const Playback& playback = m_window.ticker().playback();
-  if (span.frames + span.stored > 0)
+  if (span.frames + span.stored > 0) {
     offer.session = {
         material.recorded ? "Session " + session_name(*material.recorded) : QString("This session"),
-        {span.first_s, span.last_s},
-        span.last_s > span.first_s
-            ? static_cast<double>(span.frames + span.stored - 1) / (span.last_s - span.first_s)
-            : 0};
+        {span.first_s, span.last_s}};
+    offer.times_s = history.times(span.first_s, span.last_s);
+  }
   if (!session->looksElsewhere()) {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
@@ -77,12 +70,16 @@ ExportOffer ExportDesk::offer() const {
     offer.worn[body] = QString::fromStdString(files[body]);
   const RecordedTakes takes = m_takes();
   for (const RecordedTake& take : takes.all())
-    offer.takes.push_back(
-        {QString::fromStdString(take.name), {take.from_s, take.to_s}, rate_at(history, take.to_s)});
+    offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}});
   for (const LibraryTake& take : material.library->takes())
-    offer.library_takes.push_back({QString::fromStdString(take.name),
-                                   {0, std::max(0, take.frames - 1) / take.fps},
-                                   take.fps / std::max(1, take.frame_stride)});
+    offer.library_takes.push_back(
+        {QString::fromStdString(take.name), {0, std::max(0, take.frames - 1) / take.fps}});
+  offer.times_of_take = [library = material.library](const QString& take) {
+    const auto frames = TakeFrames::create(library, take.toStdString());
+    if (!frames) return std::vector<double>();
+    const FrameStore::Span whole = (*frames)->span();
+    return (*frames)->times(whole.first_s, whole.last_s);
+  };
   return offer;
 }
 

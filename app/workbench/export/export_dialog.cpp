@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "app/workbench/base/character_field.hpp"
 #include "app/workbench/base/range_words.hpp"
@@ -183,7 +184,9 @@ void ExportDialog::sourceChanged() {
   const QVariant last = m_part->currentData();
   m_part->clear();
   m_part->addItem(range_words("All", stretch().range), "all");
-  const bool of_session = m_source->currentData().toString().isEmpty();
+  const QString source = m_source->currentData().toString();
+  const bool of_session = source.isEmpty();
+  m_takeTimes = of_session ? std::vector<double>() : m_offer.times_of_take(source);
   if (of_session && m_offer.range) m_part->addItem(range_words("In to out", *m_offer.range), "range");
   if (of_session)
     for (const ExportOffer::Stretch& take : m_offer.takes)
@@ -275,6 +278,14 @@ Playback::Range ExportDialog::part() const {
   return stretch().range;
 }
 
+/// Of the frames in the chosen part.
+std::span<const double> ExportDialog::times() const {
+  const bool of_session = m_source->currentData().toString().isEmpty();
+  const std::vector<double>& all = of_session ? m_offer.times_s : m_takeTimes;
+  const auto [from_s, to_s] = part();
+  return {std::ranges::lower_bound(all, from_s), std::ranges::upper_bound(all, to_s)};
+}
+
 /// All of a session is what there was when it was offered: a live one goes on.
 ExportRequest ExportDialog::request() const {
   ExportRequest request;
@@ -333,19 +344,17 @@ void ExportDialog::settle() {
   showRow(m_up, hasSpace());
   ExportRequest chosen = request();
   chosen.wish.output = "NAME" + chosen.wish.output;
-  const QString why_not = trouble(chosen);
+  const auto plan = plan_export(chosen.wish, times());
+  QString why_not = trouble(chosen);
+  if (why_not.isEmpty() && !chosen.plots && !plan) why_not = QString::fromStdString(plan.error().message);
   const QString about = why_not.isEmpty() && !chosen.plots ? export_content_words(chosen.wish)
                                                            : why_not.left(1).toUpper() + why_not.mid(1);
   m_about->setText(about);
   m_about->setVisible(!about.isEmpty());
   m_export->setEnabled(why_not.isEmpty());
-  const auto estimate = estimate_export(chosen.wish, part().length_s(), stretch().rate_hz);
-  m_estimate->setText(chosen.plots     ? QString("The panes of the panel Plots")
-                      : kind == Labels ? "About " + export_size_words(estimate.bytes)
-                                       : QString("%L1 %2, about %3")
-                                             .arg(estimate.frames)
-                                             .arg(estimate.frames == 1 ? "frame" : "frames")
-                                             .arg(export_size_words(estimate.bytes)));
+  m_estimate->setText(chosen.plots ? "The panes of the panel Plots"
+                      : plan       ? export_plan_words(chosen.wish, *plan)
+                                   : "");
 }
 
 QStringList ExportDialog::choices() const {

@@ -2,10 +2,12 @@
 
 #include <QDialog>
 #include <array>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "core/session/export/export_wish.hpp"
+#include "core/session/export/export_plan.hpp"
 #include "core/session/frames/playback.hpp"
 
 class QCheckBox;
@@ -24,13 +26,15 @@ struct ExportOffer {
   struct Stretch {
     QString name;
     Playback::Range range;
-    double rate_hz = 0;
   };
-  std::optional<Stretch> session;              ///< the whole session; none before the first frame
-  std::optional<Playback::Range> range;        ///< between in and out
-  std::optional<double> cursor_s;              ///< time of the shown frame; none if it is not of the session
-  std::vector<Stretch> takes;                  ///< of the session
-  std::vector<Stretch> library_takes;          ///< times of the take
+  std::optional<Stretch> session;        ///< the whole session; none before the first frame
+  std::vector<double> times_s;           ///< of its frames, ascending
+  std::optional<Playback::Range> range;  ///< between in and out
+  std::optional<double> cursor_s;        ///< time of the shown frame; none if it is not of the session
+  std::vector<Stretch> takes;            ///< of the session
+  std::vector<Stretch> library_takes;    ///< times of the take
+  /// Times of the frames that the library has of a take, ascending.
+  std::function<std::vector<double>(const QString&)> times_of_take;
   SessionBody partner = SessionBody::Passive;  ///< the body that answers the user at present
   std::array<QString, 2> worn;  ///< character files of the scene, leader then follower; empty = capsules
 };
@@ -78,6 +82,7 @@ class ExportDialog : public QDialog {
   bool hasTiers() const;
   bool hasRate() const;
   QString trouble(const ExportRequest& request) const;
+  std::span<const double> times() const;
   void sourceChanged();
   QCheckBox* boxOf(SessionBody body) const;
   void chooseBodies(const QStringList& names);
@@ -88,6 +93,7 @@ class ExportDialog : public QDialog {
   void showRow(QWidget* field, bool on);
 
   ExportOffer m_offer;
+  std::vector<double> m_takeTimes;  ///< of the frames of the chosen take of the library
   QFormLayout* m_form;
   QComboBox *m_source, *m_what, *m_part, *m_type, *m_tiers, *m_unit, *m_up;
   QWidget* m_bodies;

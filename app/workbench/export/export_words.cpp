@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "app/workbench/base/range_words.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -58,6 +60,11 @@ QString motion_content_words(const ExportWish& wish) {
   return who + " in one file.";
 }
 
+QString size_words(std::uint64_t bytes) {
+  if (bytes < 1'000'000) return QString("%1 kB").arg((bytes + 999) / 1000);
+  return QString("%1 MB").arg(static_cast<double>(bytes) / 1e6, 0, 'f', bytes < 10'000'000 ? 1 : 0);
+}
+
 }  // namespace
 
 QString export_type_words(const QString& ending) {
@@ -92,9 +99,16 @@ QString export_content_words(const ExportWish& wish) {
   return {};
 }
 
-QString export_size_words(std::uint64_t bytes) {
-  if (bytes < 1'000'000) return QString("%1 kB").arg((bytes + 999) / 1000);
-  return QString("%1 MB").arg(static_cast<double>(bytes) / 1e6, 0, 'f', bytes < 10'000'000 ? 1 : 0);
+QString export_plan_words(const ExportWish& wish, const ExportPlan& plan) {
+  const QString size = "about " + size_words(plan.bytes);
+  if (wish.content == ExportContent::Labels) return size.left(1).toUpper() + size.mid(1);
+  QString words = counted(plan.frames, "frame");
+  if (plan.rate_hz > 0) words += QString(" at %1 Hz").arg(plan.rate_hz, 0, 'g', 6);
+  words += ", " + size;
+  if (plan.bridged > 0)
+    words += QString("\n%1 interpolated across %2 of the recording")
+                 .arg(counted(plan.bridged, "frame"), counted(plan.gaps, "gap"));
+  return words;
 }
 
 }  // namespace abrazo::app

@@ -2,9 +2,8 @@
 
 #include <QString>
 #include <QStringList>
-#include <cstdint>
 
-#include "core/session/export/export_wish.hpp"
+#include "core/session/export/export_plan.hpp"
 
 namespace abrazo::app {
 
@@ -18,6 +17,8 @@ QStringList all_export_type_words();
 /// What the files will hold, as far as their type does not say it, and who cannot read that.
 QString export_content_words(const ExportWish& wish);
 
-QString export_size_words(std::uint64_t bytes);
+/// The number of frames, their rate and the size of the file; in a second line those that no pose was
+/// recorded for.
+QString export_plan_words(const ExportWish& wish, const ExportPlan& plan);
 
 }  // namespace abrazo::app

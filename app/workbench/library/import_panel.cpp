@@ -63,10 +63,11 @@ QString joints_found_words(const ImportReport& report) {
         .arg(computed);
   const auto& maps = builtin_joint_maps();
   const bool is_builtin = std::ranges::find(maps, report.joint_map, &JointMap::name) != maps.end();
-  return QString("%1 of %2 joints found by %3“%4”")
-      .arg(joint_count - computed)
-      .arg(joint_count)
-      .arg(is_builtin ? "names as in " : "", map);
+  const QString found = QString("%1 of %2 joints found by %3“%4”")
+                            .arg(joint_count - computed)
+                            .arg(joint_count)
+                            .arg(is_builtin ? "names as in " : "", map);
+  return computed > 0 ? QString("%1, %2 inferred").arg(found).arg(computed) : found;
 }
 
 QLabel* small_label(QWidget* parent) {

@@ -10,6 +10,7 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/base/range_words.hpp"
 #include "app/workbench/base/user_settings.hpp"
 #include "core/opening/opened_session.hpp"
 
@@ -32,10 +33,6 @@ std::optional<OpenedProject> kept_in(const QString& file) {
   auto reading = read_project(file.toStdString());
   if (!reading) return std::nullopt;
   return located(file.toStdString(), std::move(*reading), {}, UserSettings().autosaveFolder().toStdString());
-}
-
-QString counted(std::size_t count, const char* one) {
-  return QString("%1 %2%3").arg(count).arg(one, count == 1 ? "" : "s");
 }
 
 }  // namespace

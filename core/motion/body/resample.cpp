@@ -19,30 +19,40 @@ constexpr double same_direction_rad = 1e-6;
 constexpr double opposite_direction_rad = 3.1;  ///< no way round is the shorter one
 constexpr double no_length_m = 1e-12;
 
-std::vector<StampedPose> ascending(std::span<const StampedPose> stamped) {
-  std::vector<StampedPose> kept;
-  kept.reserve(stamped.size());
-  for (const StampedPose& pose : stamped)
-    if (kept.empty() || pose.time_s > kept.back().time_s) kept.push_back(pose);
+/// Places of the times that are later than all before them.
+std::vector<std::size_t> ascending(std::span<const double> times_s) {
+  std::vector<std::size_t> kept;
+  kept.reserve(times_s.size());
+  for (std::size_t i = 0; i < times_s.size(); ++i)
+    if (kept.empty() || times_s[i] > times_s[kept.back()]) kept.push_back(i);
   return kept;
 }
 
-void find_gaps(const std::vector<StampedPose>& stamped, EvenPoses& even) {
-  const double usual_hz = median_rate_hz(stamped);
-  for (std::size_t i = 1; usual_hz > 0 && i < stamped.size(); ++i) {
-    const double interval_s = stamped[i].time_s - stamped[i - 1].time_s;
+/// Number of frames between two times and at neither.
+std::size_t frames_between(const EvenTiming& timing, double from_s, double to_s) {
+  const double tolerance = same_time_s * timing.rate_hz;
+  const double first = std::floor((from_s - timing.first_s) * timing.rate_hz + tolerance) + 1;
+  const double end = std::min(std::ceil((to_s - timing.first_s) * timing.rate_hz - tolerance),
+                              static_cast<double>(timing.frames));
+  return static_cast<std::size_t>(std::max(0.0, end - first));
+}
+
+void find_gaps(const std::vector<double>& times_s, EvenTiming& timing) {
+  const double usual_hz = median_rate_hz(times_s);
+  for (std::size_t i = 1; usual_hz > 0 && i < times_s.size(); ++i) {
+    const double interval_s = times_s[i] - times_s[i - 1];
     if (!(interval_s * usual_hz > intervals_of_a_gap)) continue;
-    ++even.gaps;
-    if (interval_s <= even.longest_gap_s) continue;
-    even.longest_gap_s = interval_s;
-    even.longest_gap_at_s = stamped[i - 1].time_s;
+    ++timing.gaps;
+    timing.bridged += frames_between(timing, times_s[i - 1], times_s[i]);
+    if (interval_s <= timing.longest_gap_s) continue;
+    timing.longest_gap_s = interval_s;
+    timing.longest_gap_at_s = times_s[i - 1];
   }
 }
 
-bool are_even(const std::vector<StampedPose>& stamped, double rate_hz) {
-  for (std::size_t i = 0; i < stamped.size(); ++i)
-    if (std::abs(stamped[i].time_s - stamped.front().time_s - static_cast<double>(i) / rate_hz) > same_time_s)
-      return false;
+bool are_even(const std::vector<double>& times_s, double rate_hz) {
+  for (std::size_t i = 0; i < times_s.size(); ++i)
+    if (std::abs(times_s[i] - times_s.front() - static_cast<double>(i) / rate_hz) > same_time_s) return false;
   return true;
 }
 
@@ -59,41 +69,60 @@ Vec3 blended_bone(const Vec3& from, const Vec3& to, double share) {
 
 }  // namespace
 
+EvenTiming even_timing(std::span<const double> times_s, double rate_hz) {
+  if (times_s.empty() || !(rate_hz > 0)) throw std::invalid_argument("an even timing needs times and a rate");
+  std::vector<double> kept;
+  for (const std::size_t place : ascending(times_s)) kept.push_back(times_s[place]);
+  EvenTiming timing;
+  timing.rate_hz = rate_hz;
+  timing.first_s = kept.front();
+  timing.discarded = times_s.size() - kept.size();
+  timing.unchanged = are_even(kept, rate_hz);
+  timing.frames =
+      timing.unchanged
+          ? kept.size()
+          : static_cast<std::size_t>(std::floor((kept.back() - timing.first_s) * rate_hz + same_time_s)) + 1;
+  find_gaps(kept, timing);
+  return timing;
+}
+
 EvenPoses resample(std::span<const StampedPose> stamped, double rate_hz) {
-  if (stamped.empty() || !(rate_hz > 0)) throw std::invalid_argument("resample needs poses and a rate");
-  const std::vector<StampedPose> kept = ascending(stamped);
+  const std::vector<double> times_s = times_of(stamped);
   EvenPoses even;
-  even.first_s = kept.front().time_s;
-  even.discarded = stamped.size() - kept.size();
-  find_gaps(kept, even);
-  even.unchanged = are_even(kept, rate_hz);
-  if (even.unchanged) {
-    for (const StampedPose& pose : kept) even.poses.push_back(pose.pose);
+  even.timing = even_timing(times_s, rate_hz);
+  even.poses.reserve(even.timing.frames);
+  const std::vector<std::size_t> kept = ascending(times_s);
+  if (even.timing.unchanged) {
+    for (const std::size_t place : kept) even.poses.push_back(stamped[place].pose);
     return even;
   }
-  const auto last =
-      static_cast<std::size_t>(std::floor((kept.back().time_s - even.first_s) * rate_hz + same_time_s));
   std::size_t next = 0;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const double time_s = even.first_s + static_cast<double>(i) / rate_hz;
-    while (next + 1 < kept.size() && kept[next].time_s < time_s) ++next;
-    const StampedPose& after = kept[next];
+  for (std::size_t i = 0; i < even.timing.frames; ++i) {
+    const double time_s = even.timing.first_s + static_cast<double>(i) / rate_hz;
+    while (next + 1 < kept.size() && times_s[kept[next]] < time_s) ++next;
+    const StampedPose& after = stamped[kept[next]];
     if (next == 0 || time_s >= after.time_s) {
       even.poses.push_back(after.pose);
       continue;
     }
-    const StampedPose& before = kept[next - 1];
+    const StampedPose& before = stamped[kept[next - 1]];
     even.poses.push_back(
         blended(before.pose, after.pose, (time_s - before.time_s) / (after.time_s - before.time_s)));
   }
   return even;
 }
 
-double median_rate_hz(std::span<const StampedPose> stamped) {
+std::vector<double> times_of(std::span<const StampedPose> stamped) {
+  std::vector<double> times_s;
+  times_s.reserve(stamped.size());
+  for (const StampedPose& pose : stamped) times_s.push_back(pose.time_s);
+  return times_s;
+}
+
+double median_rate_hz(std::span<const double> times_s) {
   std::vector<double> intervals;
-  for (std::size_t i = 1; i < stamped.size(); ++i)
-    if (stamped[i].time_s > stamped[i - 1].time_s)
-      intervals.push_back(stamped[i].time_s - stamped[i - 1].time_s);
+  for (std::size_t i = 1; i < times_s.size(); ++i)
+    if (times_s[i] > times_s[i - 1]) intervals.push_back(times_s[i] - times_s[i - 1]);
   return intervals.empty() ? 0 : 1 / percentile(std::move(intervals), 0.5);
 }
 

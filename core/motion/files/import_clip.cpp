@@ -84,6 +84,15 @@ std::string sum_of_points(const NamedMotion& motion, const std::vector<std::pair
   return words;
 }
 
+/// Joints that a map estimates from the points beside them, and those that no map knows.
+std::vector<int> not_in_the_file(const ChosenMap& chosen) {
+  std::vector<int> joint_list = chosen.binding.estimated;
+  joint_list.insert(joint_list.end(), chosen.inferred.begin(), chosen.inferred.end());
+  std::ranges::sort(joint_list);
+  joint_list.erase(std::ranges::unique(joint_list).begin(), joint_list.end());
+  return joint_list;
+}
+
 Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
   ChosenMap chosen = choose_map(motion, options.joint_map);
   if (!chosen.fits()) return no_map_fits(motion, chosen, options.joint_map.has_value());
@@ -92,14 +101,11 @@ Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& option
     for (std::size_t j = 0; j < joint_count; ++j)
       report.joint_points[j] = sum_of_points(motion, chosen.binding.terms[j]);
   }
-  report.inferred_joints = chosen.inferred;
-  if (!chosen.binding.estimated.empty())
-    warn(report, "estimated-joints",
-         names_of(chosen.binding.estimated) + ": not in the file, estimated from neighbouring points");
-  if (!chosen.inferred.empty())
+  report.inferred_joints = not_in_the_file(chosen);
+  if (!report.inferred_joints.empty())
     warn(report, "inferred-joints",
-         std::to_string(chosen.inferred.size()) +
-             " of the 25 joints are not in the file and were inferred: " + names_of(chosen.inferred));
+         std::to_string(report.inferred_joints.size()) +
+             " of the 25 joints are not in the file and were inferred: " + names_of(report.inferred_joints));
   return std::move(chosen.binding);
 }
 

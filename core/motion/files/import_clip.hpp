@@ -33,7 +33,7 @@ struct ImportReport {
   std::string joint_map;  ///< name of the map or marker model used
   /// The points of each joint, "Hips" or "0.5 LeftHip + 0.5 RightHip"; empty: from markers.
   std::array<std::string, joint_count> joint_points;
-  std::vector<int> inferred_joints;  ///< joints that the file lacks
+  std::vector<int> inferred_joints;  ///< joints that the file lacks, ascending
   double metres_per_unit = 1;
   bool unit_guessed = false;
   double fps = 0;

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/file_series.hpp"
 #include "core/mesh/vtu_writer.hpp"
 #include "core/session/export/export_parts.hpp"
+#include "core/session/export/export_plan.hpp"
 
 namespace abrazo {
 
@@ -74,19 +74,6 @@ Result<ExportReport> export_one_mesh(ExportSource& source, const ExportWish& wis
   done.figures.key("tetrahedra").value(static_cast<long long>(result.tetrahedra.size()));
   return done;
 }
-
-/// Which frames a series has: all, or at the wanted rate those that were shown then.
-struct SeriesClock {
-  double rate_hz = 0;
-  double from_s = 0;
-  double next_s = from_s;
-  bool wants(double time_s) {
-    if (rate_hz <= 0) return true;
-    if (time_s + 1e-9 < next_s) return false;
-    next_s = from_s + (std::floor((time_s - from_s + 1e-9) * rate_hz + 1e-6) + 1) / rate_hz;
-    return true;
-  }
-};
 
 Result<ExportReport> export_mesh_series(ExportSource& source, const ExportWish& wish,
                                         const SessionRange& range, const Progress& progress) {

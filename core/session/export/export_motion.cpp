@@ -10,18 +10,23 @@ namespace abrazo {
 
 namespace {
 
+std::string number_of(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 void warn_of_damage(ExportReport& report, const SessionRecord& session, const RowsRead& rows) {
   if (rows.damaged > 0)
     report.warnings.push_back({fmt::format("{}: {} frames could not be read and are left out; the first: {}",
                                            session.where(), rows.damaged, rows.damage)});
 }
 
-void warn_of_timing(ExportReport& report, const SessionRecord& session, const EvenPoses& timing) {
+void warn_of_timing(ExportReport& report, const SessionRecord& session, const EvenTiming& timing) {
   if (timing.gaps > 0)
-    report.warnings.push_back(
-        {fmt::format("{}: {} gaps are bridged from the pose before to the pose after; the longest is "
-                     "{:.3f} s, at {:.3f} s",
-                     session.where(), timing.gaps, timing.longest_gap_s, timing.longest_gap_at_s)});
+    report.warnings.push_back({fmt::format(
+        "{}: {} interpolated across {}, from the pose before to the pose after; the longest gap is "
+        "{:.3f} s, at {:.3f} s",
+        session.where(), number_of(timing.bridged, "frame"), number_of(timing.gaps, "gap"),
+        timing.longest_gap_s, timing.longest_gap_at_s)});
   if (timing.discarded > 0)
     report.warnings.push_back(
         {fmt::format("{}: {} poses are left out, whose time is not after that of the one before",

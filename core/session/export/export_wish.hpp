@@ -56,12 +56,4 @@ struct ExportReport {
   JsonText figures;               ///< members of an object that is still open
 };
 
-/// Expected size of an export.
-struct ExportEstimate {
-  std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< accurate to 25 % for motions, 50 % for meshes and traces
-};
-/// @param length_s of the part @param rate_hz of its frames; used if the wish has no rate
-ExportEstimate estimate_export(const ExportWish& wish, double length_s, double rate_hz);
-
 }  // namespace abrazo

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 #include "core/base/output_file.hpp"
 #include "core/motion/scenes/character_glb.hpp"
@@ -53,14 +51,6 @@ Status check_motion(const ExportWish& wish) {
 }
 
 constexpr double highest_export_rate_hz = 1000;
-
-// Bytes per frame, measured over generated dances.
-constexpr double bvh_bytes = 885, csv_bytes = 1480, glb_bytes = 620;  // of a body
-constexpr double point_bytes = 24;                                    // of a point in a .npz or .npy
-constexpr double glb_skin_bytes = 155e3;                              // of a body, once
-constexpr double character_bytes = 370;                               // of a body that a character performs
-constexpr double character_tracks_bytes = 3.9e3;  // of such a body once, beside the character's file
-constexpr double vtu_bytes = 40e3, trace_bytes = 29e3, label_bytes = 40;
 
 }  // namespace
 
@@ -115,41 +105,6 @@ Status check_export(const ExportWish& wish) {
   if (wish.rate_hz > 0 && wish.content == ExportContent::Trace)
     return Error{"a trace has the frames as they were solved; leave the rate out", wish.output};
   return Done{};
-}
-
-ExportEstimate estimate_export(const ExportWish& wish, double length_s, double rate_hz) {
-  const double rate = wish.rate_hz > 0 ? wish.rate_hz : rate_hz;
-  const double frames = wish.one_mesh() ? 1 : std::floor(std::max(0.0, length_s) * rate + 1e-6) + 1;
-  double bytes = 0;
-  const auto bodies = static_cast<double>(wish.bodies.size());
-  if (!wish.character.empty()) {
-    std::error_code unreadable;
-    const std::uintmax_t character = std::filesystem::file_size(wish.character, unreadable);
-    bytes = bodies * (frames * character_bytes + character_tracks_bytes +
-                      (unreadable ? 0 : static_cast<double>(character)));
-    return {static_cast<std::uint64_t>(frames), static_cast<std::uint64_t>(bytes)};
-  }
-  switch (wish.content) {
-    case ExportContent::Motion:
-      bytes = bodies * (wish.output.ends_with(".bvh")   ? frames * bvh_bytes
-                        : wish.output.ends_with(".glb") ? frames * glb_bytes + glb_skin_bytes
-                        : wish.output.ends_with(".npz") || wish.output.ends_with(".npy")
-                            ? frames * point_bytes *
-                                  static_cast<double>(wish.space.joints ? wish.space.joints->points.size()
-                                                                        : joint_count)
-                            : frames * csv_bytes);
-      break;
-    case ExportContent::Mesh:
-      bytes = frames * vtu_bytes;
-      break;
-    case ExportContent::Labels:
-      bytes = 4e3 + length_s * label_bytes;
-      break;
-    case ExportContent::Trace:
-      bytes = frames * trace_bytes;
-      break;
-  }
-  return {static_cast<std::uint64_t>(frames), static_cast<std::uint64_t>(bytes)};
 }
 
 Result<ExportReport> export_session(ExportSource& source, const ExportWish& wish, const Progress& progress) {

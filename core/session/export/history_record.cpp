@@ -19,8 +19,8 @@ SessionSource source_of(const FrameSnapshot& frame, const MotionLibrary* open) {
   if (result.selected < 0) return source;
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
   if (!frame.library && frame.noted_pairs) {
-    const auto noted = frame.noted_pairs->find(pair);
-    if (noted == frame.noted_pairs->end()) return source;
+    const auto noted = frame.noted_pairs->by_number.find(pair);
+    if (noted == frame.noted_pairs->by_number.end()) return source;
     source.take = noted->second.take;
     source.take_frame = noted->second.frame;
     source.swapped = noted->second.swapped;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/statistics.hpp"
+#include "core/session/export/export_plan.hpp"
 #include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo {
@@ -80,13 +81,6 @@ Pose pose_of(const FrameSnapshot& frame, SessionBody body) {
   return frame.user;
 }
 
-Result<double> rate_of(std::span<const StampedPose> poses, double wanted_hz, const std::string& path) {
-  if (wanted_hz > 0) return wanted_hz;
-  const double rate_hz = median_rate_hz(poses);
-  if (rate_hz > 0) return even_rate(rate_hz);
-  return Error{"a single frame has no rate; give one, or a longer part", path};
-}
-
 /// The times at which received poses were taken, on the clock of the session. A sender's own clock is
 /// steadier than arrival over a network; where it jumps, only the arrival times are usable.
 void use_sender_clock(std::vector<StampedPose>& poses, const std::vector<double>& sender_s) {
@@ -103,26 +97,14 @@ void use_sender_clock(std::vector<StampedPose>& poses, const std::vector<double>
 Result<SessionMotion> even_motion(std::vector<std::vector<StampedPose>> bodies,
                                   const std::vector<std::string>& names, double wanted_hz,
                                   const RowsRead& rows, const std::string& path) {
-  const auto rate_hz = rate_of(bodies.front(), wanted_hz, path);
-  if (!rate_hz) return rate_hz.error();
-  constexpr double most_frames = 10e6;
-  const auto [first, last] =
-      std::ranges::minmax(bodies.front(), {}, [](const StampedPose& pose) { return pose.time_s; });
-  const double frames = (last.time_s - first.time_s) * *rate_hz;
-  if (!(frames < most_frames))
-    return Error{
-        fmt::format("would be {:.3g} frames at {:.6g} Hz, more than {:.0f}; choose a shorter part or a "
-                    "lower rate",
-                    frames, *rate_hz, most_frames),
-        path};
+  const auto timing = plan_motion(times_of(bodies.front()), wanted_hz, path);
+  if (!timing) return timing.error();
   SessionMotion motion;
   motion.rows = rows;
+  motion.timing = *timing;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    EvenPoses even = resample(bodies[b], *rate_hz);
+    motion.clips.push_back({names[b], timing->rate_hz, resample(bodies[b], timing->rate_hz).poses});
     std::vector<StampedPose>().swap(bodies[b]);
-    motion.clips.push_back({names[b], *rate_hz, std::move(even.poses)});
-    even.poses.clear();
-    if (b == 0) motion.timing = std::move(even);
   }
   return motion;
 }
@@ -233,15 +215,15 @@ Result<std::string> session_trace_header(const SessionRecord& session, const std
     if (input.first_frame <= range.first_frame) header.input = input.text;
   for (const SessionSettings& change : session.contents().settings)
     if (change.frame <= range.first_frame) header.settings = change.settings;
-  std::vector<StampedPose> times;
+  std::vector<double> times_s;
   const Status looked =
       session.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
         constexpr std::size_t enough = 4096;  // for a median
-        if (times.size() < enough) times.push_back({frame.time_s, Pose::Zero()});
+        if (times_s.size() < enough) times_s.push_back(frame.time_s);
         return Done{};
       });
   if (!looked) return looked.error();
-  header.fps = even_rate(median_rate_hz(times));
+  header.fps = even_rate(median_rate_hz(times_s));
   return trace_header_line(header);
 }
 

@@ -36,7 +36,7 @@ enum class SessionBody { User, Active, Passive };
 /// Bodies of a session, resampled at a constant rate.
 struct SessionMotion {
   std::vector<Clip> clips;  ///< of equal length and rate
-  EvenPoses timing;         ///< of the first clip, without its poses: the bridged gaps
+  EvenTiming timing;        ///< of the clips
   RowsRead rows;
 };
 

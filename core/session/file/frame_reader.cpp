@@ -12,7 +12,8 @@ constexpr std::size_t kept_settings = 256;
 }  // namespace
 
 struct FrameReader::Statements {
-  SessionStatement rows, settings, decisions, last_until, first_from, next, last, state_before, time_of;
+  SessionStatement rows, settings, decisions, last_until, first_from, next, last, state_before, time_of,
+      times;
 };
 
 FrameReader::FrameReader(Statements statements)
@@ -46,13 +47,16 @@ Result<std::unique_ptr<FrameReader>> FrameReader::open(SessionDatabase& database
       "frame >= ? "
       "ORDER BY frame DESC LIMIT 1");
   auto time_of = database.prepare("SELECT time_s FROM frames WHERE frame = ?");
-  for (const auto* statement :
-       {&rows, &settings, &decisions, &last_until, &first_from, &next, &last, &state_before, &time_of})
+  auto times = database.prepare(
+      "SELECT time_s FROM frames INDEXED BY frames_by_time WHERE time_s BETWEEN ? AND ? AND frame >= ? "
+      "ORDER BY time_s");
+  for (const auto* statement : {&rows, &settings, &decisions, &last_until, &first_from, &next, &last,
+                                &state_before, &time_of, &times})
     if (!*statement) return statement->error();
-  return std::unique_ptr<FrameReader>(
-      new FrameReader(Statements{std::move(*rows), std::move(*settings), std::move(*decisions),
-                                 std::move(*last_until), std::move(*first_from), std::move(*next),
-                                 std::move(*last), std::move(*state_before), std::move(*time_of)}));
+  return std::unique_ptr<FrameReader>(new FrameReader(
+      Statements{std::move(*rows), std::move(*settings), std::move(*decisions), std::move(*last_until),
+                 std::move(*first_from), std::move(*next), std::move(*last), std::move(*state_before),
+                 std::move(*time_of), std::move(*times)}));
 }
 
 Result<FrameReader::Read> FrameReader::decode(const SessionStatement& row) {
@@ -169,6 +173,22 @@ Result<std::optional<double>> FrameReader::time_of(std::int64_t index) {
   if (*row) value = statement.real(0);
   statement.reset();
   return value;
+}
+
+Result<std::vector<double>> FrameReader::times(double from_s, double to_s, std::int64_t from) {
+  SessionStatement& statement = statements_->times;
+  statement.bind(0, from_s).bind(1, to_s).bind(2, from);
+  std::vector<double> times_s;
+  while (true) {
+    const auto row = statement.step();
+    if (row && *row) {
+      times_s.push_back(statement.real(0));
+      continue;
+    }
+    statement.reset();
+    if (!row) return row.error();
+    return times_s;
+  }
 }
 
 }  // namespace abrazo

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
@@ -34,6 +35,8 @@ class FrameReader {
   Result<std::optional<std::int64_t>> last();
   Result<std::optional<std::int64_t>> state_before(std::int64_t index, std::int64_t from);
   Result<std::optional<double>> time_of(std::int64_t index);
+  /// Of all frames in [from_s, to_s] not before an index, ascending, whether they can be read or not.
+  Result<std::vector<double>> times(double from_s, double to_s, std::int64_t from);
 
  private:
   struct Statements;

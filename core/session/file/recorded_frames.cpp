@@ -189,6 +189,18 @@ class FileFrames : public RecordedFrames {
     return frames;
   }
 
+  std::vector<double> times(double from_s, double to_s) const override {
+    constexpr double rounding_s = 1e-6;  // of the shifted bounds
+    const std::scoped_lock lock(mutex_);
+    if (!reader_) return {};
+    auto found =
+        reader_->times(from_s + origin_.offset_s - rounding_s, to_s + origin_.offset_s + rounding_s, first());
+    if (!found) return note_damage(1, found.error().message), std::vector<double>();
+    for (double& time_s : *found) time_s -= origin_.offset_s;
+    std::erase_if(*found, [&](double time_s) { return time_s < from_s || time_s > to_s; });
+    return std::move(*found);
+  }
+
   bool is_kept(std::uint64_t first_index, std::uint64_t last_index, std::size_t most) const override {
     const std::scoped_lock lock(mutex_);
     return overview_.is(static_cast<std::int64_t>(first_index + origin_.offset_frames),
@@ -378,13 +390,18 @@ class FileFrames : public RecordedFrames {
     std::shared_ptr<const NotedPairs>& known = noted_by_id_[id];
     if (known) return known;
     auto noted = std::make_shared<NotedPairs>();
+    auto named = database_->prepare("SELECT name, absolute_path FROM libraries WHERE id = ?");
+    if (named) {
+      const auto row = named->bind(0, id).step();
+      if (row && *row) noted->library = named->text(0), noted->file = named->text(1);
+    }
     auto rows = database_->prepare("SELECT pair, take, frame, swapped, label FROM pairs WHERE library = ?");
     if (rows) {
       rows->bind(0, id);
       for (auto more = rows->step(); more && *more; more = rows->step())
-        noted->insert_or_assign(static_cast<int>(rows->integer(0)),
-                                NotedPair{rows->text(1), static_cast<int>(rows->integer(2)),
-                                          rows->integer(3) != 0, rows->text(4)});
+        noted->by_number.insert_or_assign(static_cast<int>(rows->integer(0)),
+                                          NotedPair{rows->text(1), static_cast<int>(rows->integer(2)),
+                                                    rows->integer(3) != 0, rows->text(4)});
     }
     return known = std::move(noted);
   }

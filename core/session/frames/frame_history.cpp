@@ -228,6 +228,14 @@ std::vector<FrameSnapshotPtr> FrameHistory::range(double from_s, double to_s, st
   return frames;
 }
 
+std::vector<double> FrameHistory::times(double from_s, double to_s) const {
+  const Parts found = parts(from_s, to_s);
+  std::vector<double> times_s;
+  if (found.store) times_s = found.store->times(from_s, found.stored_to_s);
+  for (const FrameSnapshotPtr& frame : found.remembered) times_s.push_back(frame->time_s);
+  return times_s;
+}
+
 FrameRange FrameHistory::stretch(double from_s, double to_s) const {
   Parts found = parts(from_s, to_s);
   if (!found.store) return {nullptr, 0, 0, std::move(found.remembered)};

@@ -54,7 +54,9 @@ class FrameHistory {
   /// All frames in [from_s, to_s]. @param most maximum number of frames from the store, evenly thinned;
   /// frames in memory are all returned
   std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most = all_frames) const;
-  /// The same for any number of frames: holds those in memory and one piece of the others.
+  /// Times of all frames in [from_s, to_s], ascending: those of `stretch`, without reading its frames.
+  std::vector<double> times(double from_s, double to_s) const;
+  /// The frames themselves for any number of them: holds those in memory and one piece of the others.
   FrameRange stretch(double from_s, double to_s) const;
   /// The frames in [from_s, to_s], with the preceding ones back to the last frame that has the synthesizer's
   /// state.

@@ -22,8 +22,8 @@ int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
 }
 
 int same_pair(const NotedPairs& from, int pair, const MotionLibrary& to) {
-  const auto noted = from.find(pair);
-  if (noted == from.end()) return -1;
+  const auto noted = from.by_number.find(pair);
+  if (noted == from.by_number.end()) return -1;
   return pair_of_frame(to, noted->second.take, noted->second.frame, noted->second.swapped);
 }
 
@@ -96,6 +96,12 @@ FrameSnapshotPtr without_pairs_beyond(const FrameSnapshotPtr& frame, int pair_co
   return without;
 }
 
+/// Of a frame of which something is known.
+AbsentLibrary library_of(const FrameSnapshot& frame) {
+  if (frame.library) return {frame.library->name(), {}};
+  return {frame.noted_pairs->library, frame.noted_pairs->file};
+}
+
 }  // namespace
 
 FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
@@ -114,9 +120,20 @@ FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
       result.selected = static_cast<int>(result.candidates.size());
     result.candidates.push_back(candidate);
   }
+  if (result.selected < 0 && frame->result.selected >= 0)
+    translated->absent = std::make_shared<const AbsentLibrary>(library_of(*frame));
   translated->library = library;
   translated->noted_pairs.reset();
   return translated;
+}
+
+std::string absence_text(const FrameSnapshot& frame) {
+  if (!frame.absent) return {};
+  const std::string& name = frame.absent->name;
+  if (name.empty()) return "Danced with a library that is not open";
+  if (frame.library && frame.library->name() == name)
+    return "Danced with a pair that library “" + name + "” does not have now";
+  return "Danced with library “" + name + "”, which is not open";
 }
 
 }  // namespace abrazo

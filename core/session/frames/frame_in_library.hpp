@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
@@ -39,8 +40,13 @@ int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const Motion
 
 /// A frame with candidates numbered as in this library. The same object if they already are, or if nothing is
 /// known of the frame's library (numbers out of range become -1). Candidates that are not in the library are
-/// dropped; if the selected one is among them, nothing is selected.
+/// dropped; if the selected one is among them, nothing is selected, and the frame names its library as
+/// absent.
 FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
                             const std::shared_ptr<const MotionLibrary>& library);
+
+/// Why a frame of `in_library` has no source although it was solved with one: "Danced with library “salsa”,
+/// which is not open". Empty if its library is not absent.
+std::string absence_text(const FrameSnapshot& frame);
 
 }  // namespace abrazo

@@ -41,6 +41,9 @@ struct FrameSnapshot {
   std::shared_ptr<const MotionLibrary> library;
   /// If the library is not at hand: which recorded frames its numbers mean. Else null.
   std::shared_ptr<const NotedPairs> noted_pairs;
+  /// The library of the step, if in_library did not find the selected pair in the one that is open. Else
+  /// null.
+  std::shared_ptr<const AbsentLibrary> absent;
   /// The name of its input in a recording: URI or clip; null if only the recorder knows it.
   std::shared_ptr<const std::string> input;
   FrameTimes times;

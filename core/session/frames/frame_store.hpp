@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,6 +29,14 @@ class FrameStore {
   /// The same by index: all in [first, last].
   virtual std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last,
                                                 std::size_t most) const = 0;
+  /// Times of the frames in [from_s, to_s], ascending, also of unreadable ones where a store knows the times
+  /// without the frames.
+  virtual std::vector<double> times(double from_s, double to_s) const {
+    std::vector<double> times_s;
+    for (const FrameSnapshotPtr& frame : range(from_s, to_s, std::numeric_limits<std::size_t>::max()))
+      times_s.push_back(frame->time_s);
+    return times_s;
+  }
   /// Whether `between` has what it would return in memory.
   virtual bool is_kept(std::uint64_t /*first*/, std::uint64_t /*last*/, std::size_t /*most*/) const {
     return false;

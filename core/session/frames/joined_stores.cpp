@@ -1,6 +1,8 @@
 #include "core/session/frames/joined_stores.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace abrazo {
@@ -53,6 +55,16 @@ class JoinedStores : public FrameStore {
     const auto [before_most, after_most] = shared_out(most, share_before(first, after.first_index, last));
     auto frames = earlier_->between(first, after.first_index - 1, before_most);
     return followed_by(std::move(frames), later_->between(after.first_index, last, after_most));
+  }
+
+  std::vector<double> times(double from_s, double to_s) const override {
+    const Span after = later_->span();
+    if (after.frames == 0 || to_s < after.first_s) return earlier_->times(from_s, to_s);
+    auto times_s =
+        earlier_->times(from_s, std::nextafter(after.first_s, -std::numeric_limits<double>::infinity()));
+    const auto more = later_->times(std::max(from_s, after.first_s), to_s);
+    times_s.insert(times_s.end(), more.begin(), more.end());
+    return times_s;
   }
 
   bool is_kept(std::uint64_t first, std::uint64_t last, std::size_t most) const override {

@@ -13,7 +13,19 @@ struct NotedPair {
   std::string label;     ///< empty if it has none
 };
 
-/// Of a library that is not at hand, by its numbers.
-using NotedPairs = std::unordered_map<int, NotedPair>;
+/// What a session file notes of a library that is not at hand.
+struct NotedPairs {
+  std::string library;  ///< its name
+  std::string file;     ///< its place at recording; empty if it was never a file
+  std::unordered_map<int, NotedPair> by_number;
+};
+
+/// A library that frames were solved with and that is not open.
+struct AbsentLibrary {
+  std::string name;
+  std::string file;  ///< its place at recording; empty if it was never a file
+
+  bool operator==(const AbsentLibrary&) const = default;
+};
 
 }  // namespace abrazo

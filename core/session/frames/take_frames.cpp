@@ -84,6 +84,12 @@ class LibraryTakeFrames : public TakeFrames {
       frames.push_back(make(static_cast<std::size_t>(first + i * there / count)));
     return frames;
   }
+  std::vector<double> times(double from_s, double to_s) const override {
+    std::vector<double> times_s;
+    for (std::size_t place = 0; place < places_.size(); ++place)
+      if (const double time_s = time_of(place); time_s >= from_s && time_s <= to_s) times_s.push_back(time_s);
+    return times_s;
+  }
   /// Nothing was solved, so nothing can be solved again.
   std::optional<std::uint64_t> state_before(std::uint64_t) const override { return std::nullopt; }
 

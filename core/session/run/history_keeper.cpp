@@ -48,6 +48,10 @@ class ChangingStore : public FrameStore {
     const auto now = this->now();
     return now ? now->between(first, last, most) : std::vector<FrameSnapshotPtr>();
   }
+  std::vector<double> times(double from_s, double to_s) const override {
+    const auto now = this->now();
+    return now ? now->times(from_s, to_s) : std::vector<double>();
+  }
   std::optional<std::uint64_t> state_before(std::uint64_t index) const override {
     const auto now = this->now();
     return now ? now->state_before(index) : std::nullopt;

@@ -21,8 +21,8 @@ TEST(Resample, UnevenStampsBecomeEven) {
   const std::vector<StampedPose> stamped = {walking(2.0), walking(2.013), walking(2.021), walking(2.042)};
   const EvenPoses even = resample(stamped, 100);
   ASSERT_EQ(even.poses.size(), 5U);
-  EXPECT_EQ(even.first_s, 2.0);
-  EXPECT_FALSE(even.unchanged);
+  EXPECT_EQ(even.timing.first_s, 2.0);
+  EXPECT_FALSE(even.timing.unchanged);
   for (std::size_t i = 0; i < even.poses.size(); ++i)
     EXPECT_LT((even.poses[i] - walking(2.0 + 0.01 * static_cast<double>(i)).pose).norm(), 1e-12);
 }
@@ -31,7 +31,7 @@ TEST(Resample, EvenStampsKeepTheirPosesBitForBit) {
   std::vector<StampedPose> stamped;
   for (int i = 0; i < 50; ++i) stamped.push_back(walking(0.1 + i / 60.0));
   const EvenPoses even = resample(stamped, 60);
-  EXPECT_TRUE(even.unchanged);
+  EXPECT_TRUE(even.timing.unchanged);
   ASSERT_EQ(even.poses.size(), stamped.size());
   for (std::size_t i = 0; i < stamped.size(); ++i) EXPECT_EQ(even.poses[i], stamped[i].pose);
 }
@@ -62,23 +62,36 @@ TEST(Resample, SaysWhereTheGapsAre) {
   for (int i = 0; i < 20; ++i) stamped.push_back(walking(1.19 + i * 0.01));
   for (int i = 0; i < 20; ++i) stamped.push_back(walking(1.48 + i * 0.01));
   const EvenPoses even = resample(stamped, 100);
-  EXPECT_EQ(even.gaps, 2U);
-  EXPECT_NEAR(even.longest_gap_s, 1.0, 1e-12);
-  EXPECT_NEAR(even.longest_gap_at_s, 0.19, 1e-12);
+  EXPECT_EQ(even.timing.gaps, 2U);
+  EXPECT_NEAR(even.timing.longest_gap_s, 1.0, 1e-12);
+  EXPECT_NEAR(even.timing.longest_gap_at_s, 0.19, 1e-12);
+  EXPECT_EQ(even.timing.bridged, 99U + 9U) << "between the frames at the ends of each gap";
+}
+
+TEST(Resample, HasAsManyPosesAsItsTimingSaysWithoutThem) {
+  std::vector<StampedPose> stamped;
+  for (int i = 0; i < 30; ++i) stamped.push_back(walking(i / 30.0));
+  for (int i = 0; i < 90; ++i) stamped.push_back(walking(1.4 + i / 60.0));
+  for (const double rate_hz : {30.0, 50.0, 60.0}) {
+    const EvenTiming timing = even_timing(times_of(stamped), rate_hz);
+    EXPECT_EQ(resample(stamped, rate_hz).poses.size(), timing.frames) << rate_hz;
+    EXPECT_GT(timing.bridged, 0U) << rate_hz;
+    EXPECT_LT(timing.bridged, static_cast<std::size_t>(0.5 * rate_hz)) << rate_hz;
+  }
 }
 
 TEST(Resample, AStampThatIsNotLaterIsLeftOutAndCounted) {
   const std::vector<StampedPose> stamped = {walking(0), walking(0.01), walking(0.005), walking(0.01),
                                             walking(0.02)};
   const EvenPoses even = resample(stamped, 100);
-  EXPECT_EQ(even.discarded, 2U);
+  EXPECT_EQ(even.timing.discarded, 2U);
   EXPECT_EQ(even.poses.size(), 3U);
 }
 
 TEST(Resample, OnePoseIsAClip) {
   const std::vector<StampedPose> one = {walking(3)};
   EXPECT_EQ(resample(one, 60).poses.size(), 1U);
-  EXPECT_EQ(median_rate_hz(one), 0);
+  EXPECT_EQ(median_rate_hz(times_of(one)), 0);
 }
 
 TEST(Resample, NeedsPosesAndARate) {
@@ -91,7 +104,7 @@ TEST(Resample, NeedsPosesAndARate) {
 TEST(MedianRate, IsNotMovedByAFewGaps) {
   std::vector<StampedPose> stamped;
   for (int i = 0; i < 100; ++i) stamped.push_back(walking(i / 120.0 + (i > 50 ? 3.0 : 0.0)));
-  EXPECT_NEAR(median_rate_hz(stamped), 120, 1e-6);
+  EXPECT_NEAR(median_rate_hz(times_of(stamped)), 120, 1e-6);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "core/library/takes/tier_file.hpp"
-#include "core/session/export/session_export.hpp"
+#include "core/session/export/export_plan.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/humanoid_rig.hpp"
 
@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 /// A running session of one second, and a library whose take has labels.
 class Exporting : public ::testing::Test {
@@ -325,32 +326,31 @@ TEST_F(Exporting, WhatDoesNotFitTogetherIsRefused) {
   EXPECT_THAT(refusal(series), HasSubstr("series"));
 }
 
-TEST_F(Exporting, TheEstimateIsNearWhatIsWritten) {
+TEST_F(Exporting, ThePlanHasTheFramesThatAreWrittenAndNearlyTheirBytes) {
   for (const std::string name : {"a.bvh", "a.glb", "a.csv"}) {
     const ExportWish motion = wish(ExportContent::Motion, name);
     const auto done = export_session(*source(), motion);
     ASSERT_TRUE(done);
-    const auto frames = session.history.range(-1, 100);
-    const double length_s = frames.back()->time_s - frames.front()->time_s;
-    const auto estimate = estimate_export(motion, length_s, 60);
-    EXPECT_NEAR(static_cast<double>(estimate.frames), static_cast<double>(frames.size()), 1) << name;
-    EXPECT_NEAR(static_cast<double>(estimate.bytes), static_cast<double>(fs::file_size(motion.output)),
+    const auto plan = plan_export(motion, session.history.times(-1, 100));
+    ASSERT_TRUE(plan) << plan.error().text();
+    EXPECT_THAT(done->text, StartsWith(std::to_string(plan->frames) + " frames at ")) << name;
+    EXPECT_NEAR(static_cast<double>(plan->bytes), static_cast<double>(fs::file_size(motion.output)),
                 0.25 * static_cast<double>(fs::file_size(motion.output)))
         << name;
   }
 }
 
-TEST_F(Exporting, TheEstimateOfACharacterHasItsFileForEachBody) {
+TEST_F(Exporting, ThePlanOfACharacterHasItsFileForEachBody) {
   ExportWish worn = wish(ExportContent::Motion, "a.vrm");
   worn.character = worn.output + ".rig";
   worn.rate_hz = 5;  // few frames, so that the file of the character counts
   ASSERT_TRUE(write_whole_file(worn.character, test::rig(test::Naming::Vrm1)));
   ASSERT_TRUE(export_session(*source(), worn));
-  const auto frames = session.history.range(-1, 100);
-  const auto estimate = estimate_export(worn, frames.back()->time_s - frames.front()->time_s, 60);
+  const auto plan = plan_export(worn, session.history.times(-1, 100));
+  ASSERT_TRUE(plan) << plan.error().text();
   double written = 0;
   for (const std::string& file : worn.files()) written += static_cast<double>(fs::file_size(file));
-  EXPECT_NEAR(static_cast<double>(estimate.bytes), written, 0.25 * written);
+  EXPECT_NEAR(static_cast<double>(plan->bytes), written, 0.25 * written);
 }
 
 }  // namespace

@@ -73,12 +73,14 @@ TEST_F(RecordedFramesTest, OfALibraryThatIsNotAtHandAreShownOnlyWithPairsOfTheSa
   EXPECT_TRUE(in_library(frame, other)->result.candidates.empty());
   EXPECT_EQ(in_library(frame, other)->result.selected, -1);
   EXPECT_EQ(in_library(frame, other)->result.result, solved.result) << "the poses that were recorded";
+  EXPECT_EQ(absence_text(*in_library(frame, other)), "Danced with library “small”, which is not open");
   EXPECT_FALSE(has_pairs_of(*other, *frame)) << "and is not solved again with it";
   const auto same = in_library(frame, test::session_library());
   ASSERT_EQ(same->result.candidates.size(), solved.candidates.size());
   for (std::size_t i = 0; i < solved.candidates.size(); ++i)
     EXPECT_EQ(same->result.candidates[i].pair, solved.candidates[i].pair);
   EXPECT_EQ(same->result.selected, solved.selected);
+  EXPECT_EQ(absence_text(*same), "");
   EXPECT_TRUE(has_pairs_of(*test::session_library(), *frame));
 }
 

@@ -8,9 +8,11 @@
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/library/takes/manifest.hpp"
+#include "core/session/export/export_plan.hpp"
 #include "core/session/export/session_tiers.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/project.hpp"
+#include "core/session/file/recorded_frames.hpp"
 #include "core/synthesis/frames/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/bodies.hpp"
@@ -123,7 +125,42 @@ TEST_F(SessionExport, AGapIsSaid) {
   const auto motion = session_motion(file(), all(), all_bodies, 0);
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->timing.gaps, 1U);
+  EXPECT_EQ(motion->timing.bridged, 90U);
   EXPECT_NEAR(motion->timing.longest_gap_s, 2 - 29 / 60.0, 1e-9);
+}
+
+/// Two takes with a second between them, the later one at half the rate of the earlier.
+TEST_F(SessionExport, ThePlanHasTheFramesThatAreWritten) {
+  std::vector<double> times_s;
+  for (int i = 0; i < 120; ++i) times_s.push_back(i / 60.0);
+  for (int i = 0; i < 40; ++i) times_s.push_back(3 + i / 30.0);
+  for (const double time_s : times_s) solved(time_s);
+  for (const double rate_hz : {0.0, 25.0}) {
+    const auto motion = session_motion(file(), all(), all_bodies, rate_hz);
+    ASSERT_TRUE(motion) << motion.error().text();
+    ExportWish wish;
+    wish.bodies = {SessionBody::Active};
+    wish.rate_hz = rate_hz;
+    wish.output = "a.csv";
+    const auto plan = plan_export(wish, times_s);
+    ASSERT_TRUE(plan) << plan.error().text();
+    for (const Clip& clip : motion->clips) EXPECT_EQ(clip.poses.size(), plan->frames) << rate_hz;
+    EXPECT_EQ(motion->clips[0].fps, plan->rate_hz);
+    EXPECT_EQ(plan->rate_hz, rate_hz > 0 ? rate_hz : 60) << "the usual one";
+    EXPECT_EQ(plan->gaps, 1U);
+    EXPECT_EQ(plan->bridged, motion->timing.bridged);
+  }
+}
+
+TEST_F(SessionExport, AHistoryKnowsTheTimesOfItsFramesOnDiskWithoutReadingThem) {
+  for (int i = 0; i < 50; ++i) solved(1 + i / 50.0);
+  FrameHistory history;
+  for (std::size_t i = 30; i < 50; ++i) history.append(frames[i]);
+  ASSERT_TRUE(recorder->finish());
+  history.set_store(*RecordedFrames::open(path));
+  std::vector<double> times_s;
+  for (std::size_t i = 10; i < 45; ++i) times_s.push_back(frames[i]->time_s);
+  EXPECT_EQ(history.times(frames[10]->time_s, frames[44]->time_s), times_s);
 }
 
 TEST_F(SessionExport, ATakeIsAPartOfIt) {

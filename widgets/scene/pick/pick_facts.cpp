@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/motion/body/joint_set.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/scene/values/contact_shapes.hpp"
 #include "widgets/scene/values/mesh_scalar.hpp"
 
@@ -88,7 +89,7 @@ PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLi
   }
   const auto place = candidate_of(frame, pair);
   if (!place) {
-    told.lines.emplace_back("not among the candidates of this frame");
+    told.lines.push_back(frame.absent ? absence_text(frame) : "not among the candidates of this frame");
     return told;
   }
   const Candidate& candidate = frame.result.candidates[*place];

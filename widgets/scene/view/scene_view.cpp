@@ -271,7 +271,9 @@ void SceneView::updateFacts() {
         QString("%1 of %2 edges").arg(p.actors.mesh().shownEdges().size()).arg(result.edges.size());
     add("filter: " + edges, edges);
   }
-  QString second = result.candidates.empty() ? "" : "no source";
+  QString second = frame.absent                ? QString::fromStdString(absence_text(frame))
+                   : result.candidates.empty() ? ""
+                                               : "no source";
   if (const int pair = selected_pair(frame, p.library); p.library && pair >= 0) {
     const std::string_view label = p.library->label(pair);
     second = QString("source %1 · %2")
