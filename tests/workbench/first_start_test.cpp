@@ -129,6 +129,35 @@ TEST_F(FirstStart, TheTierThatIsAnnotatedIsInViewInASmallWindow) {
   EXPECT_LE(lanes.top_of_tier(note.id) + widgets::TimelineLanes::tier_px, lanes.bottom_px());
 }
 
+/// Source and Moves were scrolled away, and stayed so when the panel was closed.
+TEST_F(FirstStart, EmptyLanesOfAnnotationDoNotScrollThoseOfTheSessionAway) {
+  start({1100, 640});
+  auto& desk = *window().findChild<AnnotationDesk*>();
+  const widgets::TimelineLanes& lanes = window().timeline().lanes();
+  for (const QSize size : {QSize(1100, 640), QSize(640, 400)}) {
+    window().resize(size);
+    for (const bool open : {true, false}) {
+      window().panels().want("annotation", open);
+      QTest::qWait(80);
+      EXPECT_EQ(lanes.tiers().empty(), !open);
+      EXPECT_EQ(lanes.scroll_px(), 0) << size.width() << (open ? " open" : " closed");
+    }
+  }
+  desk.showSubject(window().session()->material().library->takes().front().name);
+  window().document().chooseTier(window().document().annotations().first_of(TierKind::Note)->id);
+  QTest::qWait(80);
+  ASSERT_GT(lanes.scroll_px(), 0) << "a take has its active tier in view";
+  desk.showSubject({});
+  QTest::qWait(80);
+  EXPECT_EQ(lanes.scroll_px(), 0) << "back in the session";
+  Annotations next = window().document().annotations();
+  const int move = next.first_of(TierKind::Move)->id;
+  ASSERT_TRUE(next.draw(move, 0, 0.2, "turn", Conflict::Replace, desk.range()));
+  window().document().changeAnnotations(next, "draw turn");
+  EXPECT_LE(lanes.top_of_tier(move) + widgets::TimelineLanes::tier_px, lanes.bottom_px())
+      << "what was annotated is in view";
+}
+
 /// Below the tiers no label was in view at 1280x720, while the settings had most of the column.
 TEST_F(FirstStart, ALabelIsInViewWhileATakeIsAnnotatedAndTheSettingsGetTheirHeightBack) {
   start({1280, 720});
