@@ -10,6 +10,7 @@
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/selection_model.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/settings/setting_row.hpp"
@@ -190,6 +191,23 @@ TEST_F(FirstStart, ThePairIsBetweenTheControlsOfTheSceneBesideTheWelcomePage) {
     ASSERT_TRUE(place) << vertex;
     EXPECT_GT(place->y, legend->geometry().bottom()) << vertex;
   }
+}
+
+/// It was cut off at the left.
+TEST_F(FirstStart, TheCardOfACandidateIsWholeBesideTheWelcomePage) {
+  start({1280, 720});
+  action("Welcome")->trigger();
+  QTest::qWait(200);
+  ASSERT_LT(window().scene().width(), 400);
+  ticker().pause();
+  turn();
+  const FrameResult& result = ticker().shown()->result;
+  window().selection().select(widgets::Selection::candidate(result.candidates.front().pair));
+  turn();
+  const auto* card = window().scene().findChild<QWidget*>("selected");
+  ASSERT_TRUE(card->isVisible());
+  EXPECT_TRUE(window().scene().rect().contains(card->geometry())) << card->x();
+  EXPECT_FALSE(card->geometry().intersects(window().scene().findChild<widgets::ScalarLegend*>()->geometry()));
 }
 
 /// At 1280x720 three settings were, because the tabs of the candidates were not counted and every lane of the

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double snap_reach_px = 8;
 
-bool is_empty(const AnnotationTier& tier, const std::vector<Suggestion>& suggestions) {
+bool holds_nothing(const AnnotationTier& tier, const std::vector<Suggestion>& suggestions) {
   return tier.annotations.empty() &&
          std::ranges::none_of(suggestions, [&](const Suggestion& each) { return each.tier == tier.id; });
 }
@@ -23,7 +23,7 @@ void TimelineView::showAnnotations(const Annotations& annotations, const TierRul
   tiers.rules = rules;
   std::vector<TierLane> lanes;
   for (const AnnotationTier& tier : annotations.tiers())
-    lanes.push_back({tier.id, tier.name, is_empty(tier, annotations.suggestions())});
+    lanes.push_back({tier.id, tier.name, holds_nothing(tier, annotations.suggestions())});
   if (lanes != m_content.lanes.tiers()) {
     m_content.lanes.set_tiers(std::move(lanes));
     arrangeScroll();
