@@ -126,10 +126,11 @@ TEST_F(StreamActions, ATakeThatIsAnnotatedKeepsItsCursorWhenAStreamConnects) {
   EXPECT_TRUE(desk().calibration().is_under_way());
   EXPECT_TRUE(stays()) << "nor does a calibration move it";
   press(Qt::Key_T, Qt::ControlModifier);
-  action("Disconnect")->trigger();
   labels.showSubject("");
   window().panels().want("annotation", false);
   EXPECT_EQ(ticker().playback().state, Playback::State::Following) << "the session is where it was";
+  action("Disconnect")->trigger();
+  EXPECT_TRUE(until([] { return live().input_frame >= 0; })) << "its clip is held no longer";
 }
 
 TEST_F(StreamActions, WhileNothingHasComeTheSceneSaysSoAndTheClipIsHeld) {
