@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t files_within_bound = 8;
-constexpr double longest_pause_s = 1;  // of a performance
+constexpr double performance_pause_s = 1;  // of a performance
 
 /// A store whose parts change: each call asks those of the moment.
 class ChangingStore : public FrameStore {
@@ -197,7 +197,7 @@ class FolderKeeper : public HistoryKeeper {
 
   void note_performed(const FrameSnapshot& frame) {
     Stretch* open = performed_.empty() ? nullptr : &performed_.back();
-    if (!open || frame.index != open->last + 1 || frame.time_s - open->to_s > longest_pause_s)
+    if (!open || frame.index != open->last + 1 || frame.time_s - open->to_s > performance_pause_s)
       open = &performed_.emplace_back(Stretch{frame.time_s, frame.time_s, frame.index});
     open->to_s = std::max(open->to_s, frame.time_s);
     open->last = frame.index;
