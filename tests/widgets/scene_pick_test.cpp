@@ -151,6 +151,25 @@ TEST(PlaceCard, LeavesFreeWhatItIsAbout) {
         << "below it to the right would hide the edge";
 }
 
+/// In a low picture the legend was under the card wherever the pointer was near it.
+TEST(PlaceCard, KeepsOffTheLegendWhereverThereIsOtherRoom) {
+  constexpr PictureBox legend{430, 8, 200, 60};
+  const std::array<PictureBox, 1> taken{legend};
+  const auto is_off_legend = [&](const CardPlace& card, int width_px, int height_px) {
+    return card.x + width_px <= legend.x || card.x >= legend.x + legend.width ||
+           card.y + height_px <= legend.y || card.y >= legend.y + legend.height;
+  };
+  for (int x = 0; x <= 640; x += 20)
+    for (int y = 0; y <= 140; y += 20) {
+      const CardPlace high = place_card(x, y, 300, 126, 640, 140, {}, taken);
+      EXPECT_TRUE(is_off_legend(high, 300, 126)) << x << ", " << y << ": at the left";
+      const CardPlace wide = place_card(x, y, 600, 60, 640, 140, {}, taken);
+      EXPECT_TRUE(is_off_legend(wide, 600, 60)) << x << ", " << y << ": below";
+      for (const CardPlace& card : {high, wide}) EXPECT_TRUE(card.x >= 0 && card.y >= 0);
+      EXPECT_TRUE(high.x + 300 <= 640 && high.y + 126 <= 140 && wide.x + 600 <= 640 && wide.y + 60 <= 140);
+    }
+}
+
 TEST(SegmentsOf, AreTheLinesOfAnItemThatTheCameraShows) {
   const Corner corner;
   const PictureProjection projection(plain_camera(), width, height);

@@ -156,6 +156,50 @@ TEST(SceneView, KeepsTheCardOfTheSelectionOffLegendAndButtonsInALowPicture) {
   EXPECT_EQ(card->height(), whole) << "all lines where there is room";
 }
 
+/// In a window of 640x400 the card under the pointer lay over the legend.
+TEST(SceneView, KeepsTheCardOfAnEdgeInsideThePictureAndOffTheLegend) {
+  Scene scene({ScenePart::MeshBetween, ScenePart::MeshWithin});
+  QWidget* surface = scene.surface();
+  const auto* card = scene.view.findChild<QWidget*>("hovered");
+  const FrameSnapshotPtr frame = synthetic_frame(3, 0.05);
+  for (const QSize size : {QSize(640, 206), QSize(540, 420), QSize(320, 420)}) {
+    scene.view.resize(size);
+    picture_of(scene.view);
+    int seen = 0;
+    for (std::size_t e = 0; e < frame->result.edges.size(); e += 7) {
+      const MeshEdge& edge = frame->result.edges[e];
+      const QPointF middle =
+          0.5 * QPointF(place_of(scene.view, frame, edge[0]) + place_of(scene.view, frame, edge[1]));
+      QMouseEvent move(QEvent::MouseMove, middle, Qt::NoButton, Qt::NoButton, {});
+      QApplication::sendEvent(surface, &move);
+      if (!card->isVisible()) continue;
+      ++seen;
+      EXPECT_TRUE(scene.view.rect().contains(card->geometry())) << size.width();
+      for (const auto* legend : scene.view.findChildren<ScalarLegend*>()) {
+        const bool covers = legend->isVisible() && card->geometry().intersects(legend->geometry());
+        EXPECT_FALSE(covers) << size.width() << "x" << size.height();
+      }
+    }
+    EXPECT_GT(seen, 0) << size.width();
+  }
+}
+
+/// It was cut off at the left.
+TEST(SceneView, BreaksTheLinesOfACardThatIsWiderThanThePicture) {
+  Scene scene({});
+  const auto* card = scene.view.findChild<QWidget*>("selected");
+  scene.model.select(Selection::candidate(0));
+  scene.view.resize(800, 480);
+  picture_of(scene.view);
+  ASSERT_TRUE(card->isVisible());
+  const QSize whole = card->size();
+  ASSERT_GT(whole.width(), 300);
+  scene.view.resize(320, 480);
+  picture_of(scene.view);
+  EXPECT_TRUE(scene.view.rect().contains(card->geometry()));
+  EXPECT_GT(card->height(), whole.height()) << "no line is lost";
+}
+
 TEST(SceneView, AddsWithShiftAndTogglesWithCtrl) {
   Scene scene({ScenePart::Joints});
   picture_of(scene.view);

@@ -131,6 +131,33 @@ TEST(TimelineLanes, ATierThatIsRevealedStaysInViewInEveryHeight) {
   EXPECT_EQ(lanes.scroll_px(), 0) << "until a person scrolls";
 }
 
+/// Of the session: an annotated take has little else to show.
+TEST(TimelineLanes, AnEmptyTierDoesNotScrollTheLanesOfTheSessionAway) {
+  TimelineLanes lanes;
+  lanes.set_tiers({{1, "role", true}, {2, "move", true}});
+  lanes.set_height(lanes.top_px() + 54 + TimelineLanes::overview_px);
+  lanes.reveal(2);
+  EXPECT_EQ(lanes.scroll_px(), 0);
+  lanes.set_tiers({{1, "role", true}, {2, "move", false}});
+  EXPECT_LE(lanes.top_of_tier(2) + TimelineLanes::tier_px, lanes.bottom_px()) << "with its first label";
+  lanes.set_tiers({{1, "role", true}, {2, "move", true}});
+  lanes.set_of_take(true);
+  EXPECT_LE(lanes.top_of_tier(2) + TimelineLanes::tier_px, lanes.bottom_px()) << "of a take";
+  lanes.set_of_take(false);
+  EXPECT_EQ(lanes.scroll_px(), 0);
+}
+
+TEST(TimelineLanes, AfterATierThatWasRevealedTheyAreWhereAPersonScrolledThem) {
+  TimelineLanes lanes;
+  lanes.set_tiers({{1, "role"}, {2, "move"}});
+  lanes.set_height(lanes.top_px() + 54 + TimelineLanes::overview_px);
+  lanes.scroll_to(27);
+  lanes.reveal(2);
+  ASSERT_GT(lanes.scroll_px(), 27);
+  lanes.set_tiers({});
+  EXPECT_EQ(lanes.scroll_px(), 27);
+}
+
 TEST(TimelineLanes, AComputedLaneIsRevealed) {
   TimelineLanes lanes;
   lanes.set_height(lanes.top_px() + 54 + TimelineLanes::overview_px);

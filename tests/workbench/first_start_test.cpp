@@ -10,6 +10,7 @@
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/selection_model.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/settings/setting_row.hpp"
@@ -129,6 +130,35 @@ TEST_F(FirstStart, TheTierThatIsAnnotatedIsInViewInASmallWindow) {
   EXPECT_LE(lanes.top_of_tier(note.id) + widgets::TimelineLanes::tier_px, lanes.bottom_px());
 }
 
+/// Source and Moves were scrolled away, and stayed so when the panel was closed.
+TEST_F(FirstStart, EmptyLanesOfAnnotationDoNotScrollThoseOfTheSessionAway) {
+  start({1100, 640});
+  auto& desk = *window().findChild<AnnotationDesk*>();
+  const widgets::TimelineLanes& lanes = window().timeline().lanes();
+  for (const QSize size : {QSize(1100, 640), QSize(640, 400)}) {
+    window().resize(size);
+    for (const bool open : {true, false}) {
+      window().panels().want("annotation", open);
+      QTest::qWait(80);
+      EXPECT_EQ(lanes.tiers().empty(), !open);
+      EXPECT_EQ(lanes.scroll_px(), 0) << size.width() << (open ? " open" : " closed");
+    }
+  }
+  desk.showSubject(window().session()->material().library->takes().front().name);
+  window().document().chooseTier(window().document().annotations().first_of(TierKind::Note)->id);
+  QTest::qWait(80);
+  ASSERT_GT(lanes.scroll_px(), 0) << "a take has its active tier in view";
+  desk.showSubject({});
+  QTest::qWait(80);
+  EXPECT_EQ(lanes.scroll_px(), 0) << "back in the session";
+  Annotations next = window().document().annotations();
+  const int move = next.first_of(TierKind::Move)->id;
+  ASSERT_TRUE(next.draw(move, 0, 0.2, "turn", Conflict::Replace, desk.range()));
+  window().document().changeAnnotations(next, "draw turn");
+  EXPECT_LE(lanes.top_of_tier(move) + widgets::TimelineLanes::tier_px, lanes.bottom_px())
+      << "what was annotated is in view";
+}
+
 /// Below the tiers no label was in view at 1280x720, while the settings had most of the column.
 TEST_F(FirstStart, ALabelIsInViewWhileATakeIsAnnotatedAndTheSettingsGetTheirHeightBack) {
   start({1280, 720});
@@ -161,6 +191,23 @@ TEST_F(FirstStart, ThePairIsBetweenTheControlsOfTheSceneBesideTheWelcomePage) {
     ASSERT_TRUE(place) << vertex;
     EXPECT_GT(place->y, legend->geometry().bottom()) << vertex;
   }
+}
+
+/// It was cut off at the left.
+TEST_F(FirstStart, TheCardOfACandidateIsWholeBesideTheWelcomePage) {
+  start({1280, 720});
+  action("Welcome")->trigger();
+  QTest::qWait(200);
+  ASSERT_LT(window().scene().width(), 400);
+  ticker().pause();
+  turn();
+  const FrameResult& result = ticker().shown()->result;
+  window().selection().select(widgets::Selection::candidate(result.candidates.front().pair));
+  turn();
+  const auto* card = window().scene().findChild<QWidget*>("selected");
+  ASSERT_TRUE(card->isVisible());
+  EXPECT_TRUE(window().scene().rect().contains(card->geometry())) << card->x();
+  EXPECT_FALSE(card->geometry().intersects(window().scene().findChild<widgets::ScalarLegend*>()->geometry()));
 }
 
 /// At 1280x720 three settings were, because the tabs of the candidates were not counted and every lane of the

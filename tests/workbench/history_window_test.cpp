@@ -20,8 +20,11 @@
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
+#include "app/workbench/takes/take_desk.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "tests/workbench/streamed_performer.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/leftover_bar.hpp"
@@ -159,6 +162,36 @@ TEST_F(HistoryInTheWindow, OfAMotionThatWasOpenedTheHistoryIsAskedAbout) {
   }
   window().openDemo();
   ASSERT_TRUE(until([] { return window().session()->material().reading.file.empty(); }));
+}
+
+/// Ten seconds of a performer went without a question, like those of a clip.
+TEST_F(HistoryInTheWindow, WhatALivePerformerDidIsAskedAboutFromTheFirstSecond) {
+  auto& stream = *window().findChild<StreamDesk*>();
+  auto& takes = *window().findChild<TakeDesk*>();
+  const bool keeps_everything = remembered().keepsEverything();
+  takes.keepEverything(false);  // else it is recorded, and nothing would be lost
+  ASSERT_TRUE(until([] { return !desk().folder().isEmpty(); }));
+  AskedAbout asked(desk(), HistoryDesk::Answer::Cancel);
+  desk().settles_s = 1e9;  // whatever the clip has
+  stream.connectTo("vmc://127.0.0.1:0");
+  ASSERT_TRUE(until([&] { return stream.health().has_value(); }));
+  EXPECT_EQ(desk().unsaved(false), 0) << "nobody has come yet";
+  const Clip dance = window().session()->material().input;
+  {
+    const StreamedPerformer performer(dance, "vmc://" + QString::fromStdString(stream.health()->listening));
+    EXPECT_TRUE(until([] { return desk().unsaved(false) > 0; }));
+  }
+  stream.disconnectStream();
+  bool allowed = true;
+  desk().leaveSession(allowed);
+  EXPECT_FALSE(allowed) << "cancelled";
+  EXPECT_EQ(asked.times, 1);
+  desk().noteSaved(engine().clock().now_s());
+  EXPECT_EQ(desk().unsaved(false), 0) << "it is in a file";
+  takes.keepEverything(keeps_everything);
+  const QString folder = desk().folder();
+  window().openDemo();
+  ASSERT_TRUE(until([&] { return !desk().folder().isEmpty() && desk().folder() != folder; }));
 }
 
 TEST_F(HistoryInTheWindow, AMomentGoesWithoutAQuestionMoreIsAskedAboutAndKept) {

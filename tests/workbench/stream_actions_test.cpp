@@ -1,4 +1,5 @@
 // Live streams in the whole window: real packets over the loopback, as a person sees and steers them.
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
@@ -27,6 +28,7 @@
 #include "widgets/stream/scene_notice.hpp"
 #include "widgets/stream/sink_list.hpp"
 #include "widgets/stream/stream_head.hpp"
+#include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app::stream_actions_test {
@@ -95,6 +97,13 @@ class StreamActions : public DemoWindow {
     QStringList m_all;
     QObject m_here;
   };
+  /// As a person does who opens the panel by its key.
+  static void type_address_and_return(const QString& uri) {
+    press(Qt::Key_K, Qt::ControlModifier);
+    ASSERT_TRUE(panel().form().isAncestorOf(QApplication::focusWidget()));
+    QTest::keyClicks(QApplication::focusWidget(), uri);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  }
   static bool receives() {
     return until([] {
       return desk().health() && !desk().health()->performers.empty() && live().times.arrived_s >= 0;
@@ -106,6 +115,62 @@ TEST_F(StreamActions, ConnectOpensThePanelAndGoesToTheAddress) {
   press(Qt::Key_K, Qt::ControlModifier);
   EXPECT_TRUE(window().panels().isWanted("connection"));
   EXPECT_TRUE(panel().form().isAncestorOf(QApplication::focusWidget()));
+}
+
+/// The focus stayed in the field: Space and digits were typed into the address.
+TEST_F(StreamActions, AfterConnectTheKeysAreTheSessionsAgain) {
+  type_address_and_return("vmc://127.0.0.1:0");
+  ASSERT_TRUE(until([] { return desk().health().has_value(); }));
+  ASSERT_EQ(QApplication::focusWidget(), &window().scene());
+  ASSERT_EQ(ticker().playback().state, Playback::State::Following);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  turn();
+  EXPECT_EQ(ticker().playback().state, Playback::State::Parked);
+  EXPECT_EQ(panel().form().uri(), "vmc://127.0.0.1:0");
+}
+
+TEST_F(StreamActions, AfterAConnectThatFailsTheFocusStaysInTheAddress) {
+  const auto other =
+      StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), window().session()->engine().clock()).value();
+  const QString taken = QString::fromStdString(other->health().listening).section(':', -1);
+  type_address_and_return("vmc://127.0.0.1:" + taken);
+  ASSERT_TRUE(until([&] { return window().messages().text().contains(taken); }));
+  EXPECT_FALSE(desk().isConnected());
+  EXPECT_TRUE(panel().form().isAncestorOf(QApplication::focusWidget())) << "where it can be mended";
+}
+
+/// A stream may connect long after it was asked for, when its name is found or a library is open.
+TEST_F(StreamActions, WhoWentOnElsewhereBeforeTheStreamConnectedStaysThere) {
+  press(Qt::Key_K, Qt::ControlModifier);
+  window().timeline().setFocus(Qt::TabFocusReason);
+  ASSERT_EQ(QApplication::focusWidget(), &window().timeline());
+  listen();
+  EXPECT_EQ(QApplication::focusWidget(), &window().timeline());
+}
+
+/// It went to the end of the take: a take has no live end.
+TEST_F(StreamActions, ATakeThatIsAnnotatedKeepsItsCursorWhenAStreamConnects) {
+  auto& labels = *window().findChild<AnnotationDesk*>();
+  labels.showSubject(window().session()->material().library->takes().front().name);
+  ticker().seek(1);
+  turn();
+  const double cursor_s = ticker().playback().cursor_s;
+  ASSERT_GT(ticker().playback().last_s, cursor_s + 1);
+  const auto stays = [cursor_s] {
+    return ticker().playback().state == Playback::State::Parked && ticker().playback().cursor_s == cursor_s;
+  };
+  const StreamedPerformer performer(clip(), listen());
+  EXPECT_TRUE(until([] { return desk().health() && !desk().health()->performers.empty(); }));
+  EXPECT_TRUE(stays()) << ticker().playback().cursor_s;
+  press(Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(desk().calibration().is_under_way());
+  EXPECT_TRUE(stays()) << "nor does a calibration move it";
+  press(Qt::Key_T, Qt::ControlModifier);
+  labels.showSubject("");
+  window().panels().want("annotation", false);
+  EXPECT_EQ(ticker().playback().state, Playback::State::Following) << "the session is where it was";
+  action("Disconnect")->trigger();
+  EXPECT_TRUE(until([] { return live().input_frame >= 0; })) << "its clip is held no longer";
 }
 
 TEST_F(StreamActions, WhileNothingHasComeTheSceneSaysSoAndTheClipIsHeld) {

@@ -9,6 +9,11 @@ namespace {
 
 constexpr double snap_reach_px = 8;
 
+bool holds_nothing(const AnnotationTier& tier, const std::vector<Suggestion>& suggestions) {
+  return tier.annotations.empty() &&
+         std::ranges::none_of(suggestions, [&](const Suggestion& each) { return each.tier == tier.id; });
+}
+
 }  // namespace
 
 void TimelineView::showAnnotations(const Annotations& annotations, const TierRules& rules) {
@@ -17,7 +22,8 @@ void TimelineView::showAnnotations(const Annotations& annotations, const TierRul
   tiers.annotations = annotations;
   tiers.rules = rules;
   std::vector<TierLane> lanes;
-  for (const AnnotationTier& tier : annotations.tiers()) lanes.push_back({tier.id, tier.name});
+  for (const AnnotationTier& tier : annotations.tiers())
+    lanes.push_back({tier.id, tier.name, holds_nothing(tier, annotations.suggestions())});
   if (lanes != m_content.lanes.tiers()) {
     m_content.lanes.set_tiers(std::move(lanes));
     arrangeScroll();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -40,6 +41,7 @@ constexpr const TimelineLaneInfo& info_of(TimelineLane lane) {
 struct TierLane {
   int tier = 0;  ///< its id
   std::string name;
+  bool is_empty = false;  ///< neither labels nor suggestions
 
   bool operator==(const TierLane&) const = default;
 };
@@ -103,16 +105,21 @@ class TimelineLanes {
   double asked_scroll_px() const { return asked_scroll_px_; }
   void scroll_to(double px) {
     kept_tier_ = 0;
+    before_tier_px_.reset();
     place(px);
   }
   /// Scrolls until a lane is fully visible; no effect on one that is not shown.
   void reveal(TimelineLane lane) {
-    if (is_shown(lane)) bring(top_of(lane), info_of(lane).height_px);
+    if (!is_shown(lane)) return;
+    before_tier_px_.reset();
+    bring(top_of(lane), info_of(lane).height_px);
   }
-  /// The lane of a tier stays fully visible in every height, until it is scrolled away. @param tier  0 = none
+  /// The lane of a tier stays fully visible in every height, until it is scrolled away. The lanes of the
+  /// session do not give way to an empty one: it comes into view with its first label. Afterwards the lanes
+  /// return to where they were scrolled. @param tier  0 = none
   void reveal(int tier) {
     kept_tier_ = tier;
-    keep_tier();
+    settle();
   }
 
   /// Top of a lane; may be outside [top_px, bottom_px].
@@ -196,12 +203,16 @@ class TimelineLanes {
   }
   /// After another height or other lanes.
   void settle() {
-    place(asked_scroll_px_);
+    place(before_tier_px_.value_or(asked_scroll_px_));
+    before_tier_px_.reset();
     keep_tier();
   }
   void keep_tier() {
+    const double before_px = asked_scroll_px_;
     for (const TierLane& lane : tiers_)
-      if (lane.tier == kept_tier_ && is_shown(lane)) bring(top_of_tier(lane.tier), tier_px);
+      if (lane.tier == kept_tier_ && is_shown(lane) && (of_take_ || !lane.is_empty))
+        bring(top_of_tier(lane.tier), tier_px);
+    if (asked_scroll_px_ != before_px) before_tier_px_ = before_px;
   }
   void bring(double top, double height) {
     const double bottom = top + height;
@@ -261,7 +272,8 @@ class TimelineLanes {
   std::set<std::string> hidden_;
   double height_px_ = 200;
   double scroll_px_ = 0, asked_scroll_px_ = 0;
-  int kept_tier_ = 0;  ///< id of the tier that stays in view; 0 = none
+  int kept_tier_ = 0;                     ///< id of the tier that stays in view; 0 = none
+  std::optional<double> before_tier_px_;  ///< the asked place, if the kept tier moved the lanes from there
 };
 
 }  // namespace abrazo::widgets

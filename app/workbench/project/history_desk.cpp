@@ -158,6 +158,7 @@ double HistoryDesk::unsaved(bool has_changes) const {
   // The time while an input was held has no frames.
   history.unsaved_s =
       std::min(m_keeper->kept_after_s(m_savedTo_s), rate_hz > 0 ? frames / rate_hz : span.last_s);
+  history.performed_s = m_keeper->performed_after_s(m_savedTo_s);
   history.is_demo = isDemo();
   history.is_touched = has_changes || m_hasTakes() || playback.in_set || playback.out_set;
   return asks_before_deleting(history, settles_s) ? history.unsaved_s : 0;

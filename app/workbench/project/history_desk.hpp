@@ -22,7 +22,8 @@ class HistoryDesk : public QObject {
   Q_OBJECT
  public:
   enum class Answer { Keep, Discard, Cancel };
-  double settles_s = history_settles_s;  ///< less than this is deleted without a question [s]
+  /// Less than this, without a live performer, is deleted without a question [s].
+  double settles_s = history_settles_s;
 
   /// @param has_takes  whether the session has takes
   HistoryDesk(MainWindow& window, std::function<bool()> has_takes);

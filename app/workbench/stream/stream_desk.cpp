@@ -1,5 +1,6 @@
 #include "app/workbench/stream/stream_desk.hpp"
 
+#include <QApplication>
 #include <algorithm>
 #include <utility>
 
@@ -101,6 +102,7 @@ void StreamDesk::connectTo(const QString& text) {
   disconnectStream();
   m_before = before;
   m_returns = false;
+  m_isAsked = true;
   look(*uri, text);
 }
 
@@ -120,6 +122,7 @@ void StreamDesk::look(const StreamUri& uri, const QString& text) {
 /// Nothing is connected any more, but what was before.
 void StreamDesk::refuse(const Error& error) {
   m_window.fail(words(error));
+  m_isAsked = false;
   m_uri.clear();
   m_found.reset();
   poll();
@@ -152,10 +155,24 @@ bool StreamDesk::receive() {
   m_panel.form().setRecent(recent());
   const auto delay = milliseconds_option(*m_found, "delay", 500);
   m_panel.setDelay(delay && *delay ? static_cast<int>(1000 * **delay) : 0);
-  m_window.ticker().follow();
+  if (std::exchange(m_isAsked, false)) leaveForm();
+  showLiveEnd();
   poll();
   emit connectionChanged();
   return true;
+}
+
+/// The keys are the session's again. Whoever went on elsewhere in the meantime stays there.
+void StreamDesk::leaveForm() {
+  const QWidget* focused = QApplication::focusWidget();
+  if (!focused || !m_panel.form().isAncestorOf(focused)) return;
+  m_window.scene().activateWindow();  // the panel may float
+  m_window.scene().setFocus();
+}
+
+/// The live end is the session's: while a take is annotated, its cursor stays where it is.
+void StreamDesk::showLiveEnd() {
+  if (m_window.document().subject().empty()) m_window.ticker().follow();
 }
 
 void StreamDesk::disconnectStream() {
@@ -163,6 +180,7 @@ void StreamDesk::disconnectStream() {
   emit aboutToDisconnect();
   dropCalibration();
   m_sourceLookup.cancel();
+  m_isAsked = false;
   m_before.clear();
   m_uri.clear();
   m_found.reset();
@@ -273,7 +291,7 @@ void StreamDesk::calibrate() {
         "until "
         "a performer "
         "is seen");
-  m_window.ticker().follow();
+  showLiveEnd();
   m_calibration.start(engine()->clock().now_s());
   m_soon.start();
   advanceCalibration();

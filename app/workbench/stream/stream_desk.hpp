@@ -87,6 +87,8 @@ class StreamDesk : public QObject {
   void refuse(const Error& error);
   void look(const StreamUri& uri, const QString& text);
   bool receive();
+  void leaveForm();
+  void showLiveEnd();
   void sendTo(const StreamUri& uri, Character character);
   void beginSession();
   void dropCalibration();
@@ -102,6 +104,7 @@ class StreamDesk : public QObject {
   QPointer<widgets::SceneNotice> m_notice;
   QString m_before;        ///< connected before the pending connection, which may fail; empty = none
   bool m_returns = false;  ///< to what was connected before
+  bool m_isAsked = false;  ///< a person asked for the pending connection
   QString m_uri;           ///< present or pending connection; empty = none
   std::optional<StreamUri> m_found;  ///< the same with resolved addresses; none before
   HostLookup m_sourceLookup, m_sinkLookup;

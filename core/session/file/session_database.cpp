@@ -357,14 +357,13 @@ bool SessionDatabase::is_held_elsewhere() {
   return held;
 }
 
-Status SessionDatabase::copy_to(const std::string& path) {
-  AtomicFile file(path);
+Status SessionDatabase::copy_into(const std::string& path) {
   std::string quoted;
-  for (const char c : file.partial().string()) quoted += c == '\'' ? "''" : std::string(1, c);
+  for (const char c : path) quoted += c == '\'' ? "''" : std::string(1, c);
   (void)execute("PRAGMA query_only=OFF");  // it is the copy that is written
   const Status copied = execute("VACUUM INTO '" + quoted + "'");
   if (!copied) return Error{copied.error().message, path};
-  return file.commit();
+  return Done{};
 }
 
 // Through SQLite's own descriptor: closing another one would drop the locks that it holds.

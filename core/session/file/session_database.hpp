@@ -91,8 +91,8 @@ class SessionDatabase {
   void set_patience(int milliseconds);
   /// Whether another program holds the file for writing.
   bool is_held_elsewhere();
-  /// Copies everything committed to another file, all or nothing.
-  Status copy_to(const std::string& path);
+  /// Copies everything committed into a new or empty file, which after an Error is not whole.
+  Status copy_into(const std::string& path);
   /// Bytes of the file on disk, without its log: less than before if another program truncated it, 0 if it no
   /// longer begins as a database. None if unknown.
   std::optional<std::int64_t> bytes_on_disk() const;

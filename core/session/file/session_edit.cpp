@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/utc_time.hpp"
 #include "core/session/file/project_schema.hpp"
 #include "core/session/file/session_database.hpp"
@@ -72,10 +73,12 @@ Status end_open_takes(SessionDatabase& database) {
 
 namespace {
 
+/// Of a file that is thrown away if this fails: a journal beside it would only be left over.
 Status end_open_runs(const std::string& path) {
   auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
   if (!database) return database.error();
-  Status ended = end_open_takes(*database);
+  Status ended = database->execute("PRAGMA journal_mode=MEMORY");
+  if (ended) ended = end_open_takes(*database);
   if (ended) {
     auto runs = database->prepare("UPDATE runs SET ended_at = ? WHERE ended_at IS NULL");
     ended = runs ? runs->bind(0, utc_now()).run() : Status(runs.error());
@@ -94,8 +97,13 @@ Status copy_session(const std::string& path, const std::string& copy) {
   if (!database) return database.error();
   const Status known = check_session_schema(*database);
   if (!known) return known;
-  const Status copied = database->copy_to(copy);
-  return copied ? end_open_runs(copy) : copied;
+  AtomicFile whole(copy);
+  const std::string partial = whole.partial().string();
+  Status done = database->copy_into(partial);
+  if (done) done = end_open_runs(partial);
+  if (done) done = whole.commit();
+  if (!done) return Error{done.error().message, copy};
+  return Done{};
 }
 
 }  // namespace abrazo

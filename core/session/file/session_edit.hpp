@@ -24,7 +24,8 @@ Status apply_take_edits(SessionDatabase& database, const TakeEdits& edits);
 Status end_open_takes(SessionDatabase& database);
 
 /// Copies a whole session to one file, also during recording: with everything on disk by then. Nobody records
-/// into the copy: its runs and takes have an end. An existing file is replaced when the copy is complete.
+/// into the copy: its runs and takes have an end. It appears complete, and replaces an existing file, or not
+/// at all.
 Status copy_session(const std::string& path, const std::string& copy);
 
 }  // namespace abrazo

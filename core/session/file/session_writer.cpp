@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/utc_time.hpp"
 #include "core/base/version.hpp"
@@ -303,7 +304,10 @@ Status SessionWriter::write_again() {
   const std::string& path = database_.path();
   // First beside the name: writing takes its time, in which another program may take it.
   const std::string beside = with_suffix(path, "-deleted-" + utc_now());
-  if (Status copied = database_.copy_to(beside); !copied)
+  AtomicFile copy(beside);
+  Status copied = database_.copy_into(copy.partial().string());
+  if (copied) copied = copy.commit();
+  if (!copied)
     return Error{
         "the file was deleted while it was recorded, and cannot be written again: " + copied.error().message,
         path};

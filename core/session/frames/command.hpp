@@ -37,7 +37,7 @@ struct SetRoleControl {
 struct ResetSolver {};
 struct PauseInput {
   bool paused = true;
-};  ///< pauses the clip that plays the user
+};  ///< pauses the clip that plays the user, now or again after a device
 struct SeekInput {
   double time_s = 0;
 };  ///< speed of the clip

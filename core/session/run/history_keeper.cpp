@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t files_within_bound = 8;
+constexpr double performance_pause_s = 1;  // of a performance
 
 /// A store whose parts change: each call asks those of the moment.
 class ChangingStore : public FrameStore {
@@ -94,7 +95,9 @@ class FolderKeeper : public HistoryKeeper {
 
   void frame_solved(const FrameSnapshotPtr& frame) override {
     const std::scoped_lock lock(mutex_);
-    if (writing_) writing_->frame_solved(frame);
+    if (!writing_) return;
+    writing_->frame_solved(frame);
+    if (!is_recorded_ && frame->times.arrived_s >= 0) note_performed(*frame);
   }
 
   void rest(std::shared_ptr<const FrameStore> recorded) override {
@@ -102,11 +105,13 @@ class FolderKeeper : public HistoryKeeper {
     rests_for_ = recorded;
     parts_.push_back({std::move(recorded), {}, 0});
     show_parts();
+    set_recorded(true);
   }
 
   Status go_on() override {
     const std::scoped_lock changing(changing_);
     rests_for_ = nullptr;
+    set_recorded(false);
     return begin_file();
   }
 
@@ -140,6 +145,14 @@ class FolderKeeper : public HistoryKeeper {
       const FrameStore::Span span = part.frames->span();
       if (span.frames > 0) seconds += std::max(0.0, span.last_s - std::max(span.first_s, time_s));
     }
+    return seconds;
+  }
+
+  double performed_after_s(double time_s) const override {
+    const std::scoped_lock lock(mutex_);
+    double seconds = 0;
+    for (const Stretch& each : performed_)
+      seconds += std::max(0.0, each.to_s - std::max(each.from_s, time_s));
     return seconds;
   }
 
@@ -181,6 +194,23 @@ class FolderKeeper : public HistoryKeeper {
     std::string file;         ///< empty: of a recorder, which keeps it
     std::uint64_t bytes = 0;  ///< once it is complete
   };
+  struct Stretch {
+    double from_s = 0, to_s = 0;
+    std::uint64_t last = 0;  ///< index
+  };
+
+  void note_performed(const FrameSnapshot& frame) {
+    Stretch* open = performed_.empty() ? nullptr : &performed_.back();
+    if (!open || frame.index != open->last + 1 || frame.time_s - open->to_s > performance_pause_s)
+      open = &performed_.emplace_back(Stretch{frame.time_s, frame.time_s, frame.index});
+    open->to_s = std::max(open->to_s, frame.time_s);
+    open->last = frame.index;
+  }
+
+  void set_recorded(bool on) {
+    const std::scoped_lock lock(mutex_);
+    is_recorded_ = on;
+  }
 
   /// The new file has the next frame; the old one gets what still waits.
   void write_to(std::shared_ptr<Recorder> next, const std::string& file = {}) {
@@ -252,6 +282,8 @@ class FolderKeeper : public HistoryKeeper {
   mutable std::mutex mutex_;  ///< short: the solver waits for it
   std::uint64_t bound_;
   State state_;
+  std::vector<Stretch> performed_;     ///< frames of a live performer that no recorder has
+  bool is_recorded_ = false;           ///< a recorder has the frames, those of its beginning as well
   std::shared_ptr<Recorder> writing_;  ///< changed under both
   std::jthread thread_;                // last: joined first
 };

@@ -43,6 +43,8 @@ class HistoryKeeper : public FrameListener {
   /// Length of the frames after a time in its own files [s]: without what recorders wrote while it rested.
   /// Waits while the files change.
   virtual double kept_after_s(double time_s) const = 0;
+  /// The part of it in which poses of a live performer were answered [s]; a pause of a second ends it.
+  virtual double performed_after_s(double time_s) const = 0;
   /// The frames on disk, and those of the recorders during pauses.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
 

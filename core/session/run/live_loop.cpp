@@ -220,6 +220,7 @@ void LiveLoop::replace_source(const ReplaceSource& replacement, double now_s) {
   if (!replacement.source || replacement.source == source_) return;
   source_->on_arrival([] {});
   source_ = replacement.source;
+  if (ReplayControl* replay = source_->replay()) replay->set_paused(is_paused_, now_s);
   input_ = replacement.input;
   dropped_before_ += dropped_now_;
   dropped_now_ = 0;
@@ -254,6 +255,7 @@ void LiveLoop::apply(const Command& command, double now_s) {
         } else if constexpr (std::is_same_v<Wish, ResetSolver>) {
           control_.synthesizer().reset();
         } else if constexpr (std::is_same_v<Wish, PauseInput>) {
+          is_paused_ = wish.paused;
           if (replay) replay->set_paused(wish.paused, now_s);
         } else if constexpr (std::is_same_v<Wish, SeekInput>) {
           if (replay) replay->seek(wish.time_s, now_s);

@@ -82,6 +82,7 @@ class LiveLoop {
   double waiting_since_s_ = -1;  ///< waiting for a pose since; -1 before the first turn
   bool is_lost_ = false;         ///< no pose for too long
   bool has_solved_ = false;
+  bool is_paused_ = false;  ///< wanted last, also while the source is a device, which cannot be paused
   std::atomic<bool> is_held_ = false;
   double settles_until_s_ = -1;  ///< a held pose is solved until then
   double rests_since_s_ = -1;    ///< a held pose is not solved since then; -1 = it is

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "core/session/edit/ending_history.hpp"
 #include "core/session/file/session_file.hpp"
 #include "core/session/run/recorder.hpp"
 #include "tests/core/session/recorded_session.hpp"
@@ -118,6 +119,45 @@ TEST(HistoryKeeper, WhileARecorderWritesTheFramesItRestsAndNoneIsMissing) {
   const auto all = session.kept->store()->range(0, 11, FrameHistory::all_frames);
   ASSERT_EQ(all.size(), session.latest.newest()->index + 1);
   for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i]->index, i);
+}
+
+TEST(HistoryKeeper, TellsHowMuchOfItsFramesIsOfALivePerformerAndInNoRecording) {
+  Kept session;
+  session.run_until(2);
+  EXPECT_EQ(session.kept->performed_after_s(0), 0) << "a clip plays the user";
+  std::uint64_t index = session.latest.newest()->index;
+  const auto perform = [&](double from_s, double seconds) {
+    for (int step = 0; step <= 50 * seconds; ++step) {
+      auto frame = std::make_shared<FrameSnapshot>(*session.latest.newest());
+      frame->index = ++index;
+      frame->time_s = frame->times.arrived_s = from_s + 0.02 * step;
+      session.kept->frame_solved(frame);
+    }
+  };
+  perform(3, 2);
+  EXPECT_NEAR(session.kept->performed_after_s(0), 2, 1e-9);
+  EXPECT_NEAR(session.kept->performed_after_s(4.5), 0.5, 1e-9);
+  perform(35, 1);
+  EXPECT_NEAR(session.kept->performed_after_s(0), 3, 1e-9) << "nobody performed in the pause";
+  const auto recorder = *Recorder::open(session.file("mine.abrazo"), test::session_facts());
+  session.kept->rest(recorder->store());
+  perform(36.02, 2);
+  EXPECT_NEAR(session.kept->performed_after_s(0), 3, 1e-9) << "the recording has it";
+  ASSERT_TRUE(session.kept->go_on());
+  perform(40, 1);
+  EXPECT_NEAR(session.kept->performed_after_s(0), 4, 1e-9);
+}
+
+TEST(EndingHistory, OfALivePerformerASecondIsWorthAQuestion) {
+  EXPECT_FALSE(asks_before_deleting({.unsaved_s = 9, .performed_s = 0.5}));
+  EXPECT_TRUE(asks_before_deleting({.unsaved_s = 3, .performed_s = 1}));
+  EXPECT_FALSE(asks_before_deleting({.unsaved_s = 9})) << "of a clip, which can be played again";
+  EXPECT_TRUE(asks_before_deleting({.unsaved_s = 10}));
+}
+
+TEST(EndingHistory, OfADemoThatNobodyTouchedNothingIsAskedAbout) {
+  EXPECT_FALSE(asks_before_deleting({.unsaved_s = 1000, .is_demo = true}));
+  EXPECT_TRUE(asks_before_deleting({.unsaved_s = 1000, .is_demo = true, .is_touched = true}));
 }
 
 TEST(HistoryKeeper, WhatIsRemovedIsGoneFromDiskAndFromTheStore) {

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "core/base/atomic_file.hpp"
 #include "core/session/file/project.hpp"
@@ -16,6 +19,7 @@ namespace abrazo::hostile_session_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::UnorderedElementsAreArray;
 
 /// A recorded session that statements of its maker can be added to.
 class HostileSession : public testing::Test, protected test::TemporaryFolder {
@@ -174,6 +178,27 @@ TEST_F(HostileSession, ALinkWhereACopyIsWrittenIsReplacedAndNotFollowed) {
   EXPECT_TRUE(copy_session(path_, copy));
   EXPECT_TRUE(SessionFile::open(copy));
   EXPECT_EQ(*read_whole_file(victim), "three years");
+}
+
+/// The copy stayed, and looked like a recording that was cut off.
+TEST_F(HostileSession, ACopyWhoseRunsCannotBeEndedLeavesNothingBehind) {
+  // Two runs without an end, which may not have the same.
+  run("UPDATE runs SET ended_at = NULL; CREATE TEMP TABLE one AS SELECT * FROM runs; UPDATE one SET id = id "
+      "+ 1; INSERT INTO runs SELECT * FROM one; CREATE UNIQUE INDEX mine ON runs (ended_at)");
+  const std::string copy = TemporaryFolder::file("copy.abrazo");
+  const auto expect_nothing_new_beside = [&](const std::vector<std::string>& files) {
+    const Status copied = copy_session(path_, copy);
+    ASSERT_FALSE(copied);
+    EXPECT_THAT(copied.error().text(), AllOf(HasSubstr("copy.abrazo"), Not(HasSubstr("partial"))));
+    std::vector<std::string> left;
+    for (const auto& each : std::filesystem::directory_iterator(TemporaryFolder::file("")))
+      left.push_back(each.path().filename().string());
+    EXPECT_THAT(left, UnorderedElementsAreArray(files));
+  };
+  expect_nothing_new_beside({"s.abrazo"});
+  ASSERT_TRUE(write_whole_file(copy, "an older one"));
+  expect_nothing_new_beside({"s.abrazo", "copy.abrazo"});
+  EXPECT_EQ(*read_whole_file(copy), "an older one");
 }
 
 }  // namespace

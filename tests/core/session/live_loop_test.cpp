@@ -129,6 +129,26 @@ TEST(LiveLoop, AfterAHoldTheClipGoesOnFromTheHeldPoseAsIfNoTimeHadPassed) {
   EXPECT_NE(next->result.status, StepStatus::Failed);
 }
 
+/// The clip was held for ever when a take was annotated, a stream connected, and the take left.
+TEST(LiveLoop, AHoldThatEndsWhileADevicePlaysTheUserIsOverForTheClipAsWell) {
+  Live live;
+  const auto loop = live.loop(test::responsive_by_pose());
+  const auto clip = std::make_shared<ClipSource>(test::swinging_take("user", 120, 4).a);
+  live.commands.push(ReplaceSource{clip});
+  live.commands.push(PauseInput{true});
+  run_for(*loop, 0, 1);
+  ASSERT_TRUE(loop->is_held());
+  live.commands.push(ReplaceSource{std::make_shared<test::FakeDevice>()});
+  loop->turn(1);
+  EXPECT_FALSE(loop->is_held()) << "a performer cannot be held";
+  live.commands.push(PauseInput{false});
+  loop->turn(1.1);
+  live.commands.push(ReplaceSource{clip});
+  run_for(*loop, 2, 3);
+  EXPECT_FALSE(loop->is_held());
+  EXPECT_GT(live.latest.newest()->input_frame, 30);
+}
+
 /// Runs for half a second and is held until ten. @return the last frame
 FrameSnapshotPtr held_from(LiveLoop& loop, Live& live) {
   run_for(loop, 0, 0.5);

@@ -101,6 +101,7 @@ class FakeKeeper : public HistoryKeeper {
   void set_bound(std::uint64_t) override {}
   State state() const override { return {}; }
   double kept_after_s(double) const override { return 0; }
+  double performed_after_s(double) const override { return 0; }
   std::shared_ptr<const FrameStore> store() const override { return nullptr; }
   void remove() override {}
 

@@ -15,6 +15,20 @@ QFont title_font() {
   return interface_font(13, QFont::DemiBold);
 }
 
+/// Between words; a word that is too wide stays whole.
+QStringList broken(const QString& line, double width_px) {
+  const QFont font = interface_font(13);
+  QStringList rows;
+  for (const QString& word : line.split(' ')) {
+    const QString longer = rows.isEmpty() ? word : rows.back() + ' ' + word;
+    if (rows.isEmpty() || tabular_width(font, longer) > width_px)
+      rows << word;
+    else
+      rows.back() = longer;
+  }
+  return rows;
+}
+
 }  // namespace
 
 PickCard::PickCard(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
@@ -28,18 +42,33 @@ void PickCard::setColours(const Palette& palette) {
 }
 
 void PickCard::show(const PickText& text) {
-  m_title = QString::fromStdString(text.title);
-  m_lines.clear();
-  double wide = tabular_width(title_font(), m_title);
-  for (const std::string& line : text.lines) {
-    m_lines << QString::fromStdString(line);
-    wide = std::max(wide, tabular_width(interface_font(13), m_lines.back()));
-  }
-  // Grows immediately and never shrinks while it is open: running numbers must not shake it.
-  const int width = static_cast<int>(wide) + 2 * margin + 2;
-  resize(isVisible() ? std::max(width, this->width()) : width, wholeHeight());
+  m_text = text;
+  lay();
   setVisible(true);
   raise();
+}
+
+void PickCard::setMostWidth(int width_px) {
+  if (width_px == m_mostWidth) return;
+  m_mostWidth = width_px;
+  if (!isHidden()) lay();
+}
+
+void PickCard::lay() {
+  constexpr int beside_text = 2 * margin + 2;
+  const int room = m_mostWidth - beside_text;
+  m_title =
+      QFontMetrics(title_font()).elidedText(QString::fromStdString(m_text.title), Qt::ElideMiddle, room);
+  m_lines.clear();
+  double wide = tabular_width(title_font(), m_title);
+  for (const std::string& line : m_text.lines)
+    for (const QString& row : broken(QString::fromStdString(line), room)) {
+      m_lines << row;
+      wide = std::max(wide, tabular_width(interface_font(13), row));
+    }
+  // Grows immediately and never shrinks while it is open: running numbers must not shake it.
+  const int width = std::max(static_cast<int>(wide) + beside_text, isVisible() ? this->width() : 0);
+  resize(std::min(width, m_mostWidth), wholeHeight());
   update();
 }
 

@@ -15,6 +15,8 @@ class PickCard : public QWidget {
   void setColours(const Palette& palette);
   /// Sizes itself to the text.
   void show(const PickText& text);
+  /// Lines that are wider than the card may be are broken, a title is shortened.
+  void setMostWidth(int width_px);
   int wholeHeight() const;  ///< [px]
   /// Leaves out the last lines that do not fit; the title and the first one stay.
   void limit(int height_px);
@@ -23,9 +25,13 @@ class PickCard : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void lay();
+
   Palette m_palette;
-  QString m_title;
-  QStringList m_lines;
+  PickText m_text;
+  QString m_title;      ///< as it fits
+  QStringList m_lines;  ///< as they fit
+  int m_mostWidth = QWIDGETSIZE_MAX;
 };
 
 }  // namespace abrazo::widgets

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "core/motion/body/joint_set.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double far_away = std::numeric_limits<double>::infinity();
 constexpr double as_near_px = 1.5;  // less apart than a hand can point
+constexpr double pointer_counts = 1e6;
 
 /// The best so far by distance in pixels, then by depth.
 struct Nearest {
@@ -101,7 +103,7 @@ Selection cell_in_front(double x, double y, const PictureProjection& projection,
 double length_within(int x, int y, int width, int height, int pointer_x, int pointer_y,
                      std::span<const std::array<PicturePoint, 2>> segments) {
   constexpr int samples = 64;
-  constexpr double pointer_counts = 1e6, dot_counts = 10;
+  constexpr double dot_counts = 10;
   const auto inside = [=](double px, double py) {
     return px >= x && px <= x + width && py >= y && py <= y + height;
   };
@@ -115,6 +117,19 @@ double length_within(int x, int y, int width, int height, int pointer_x, int poi
   }
   return hidden;
 }
+
+bool covers(int x, int y, int width, int height, const PictureBox& box) {
+  return x < box.x + box.width && box.x < x + width && y < box.y + box.height && box.y < y + height;
+}
+
+/// What speaks against a place of a card, most important first.
+struct CardCost {
+  bool covers = true;  ///< something that is taken
+  double hidden_px = far_away, away_px = far_away;
+  bool operator<(const CardCost& other) const {
+    return std::tie(covers, hidden_px, away_px) < std::tie(other.covers, other.hidden_px, other.away_px);
+  }
+};
 
 }  // namespace
 
@@ -162,22 +177,37 @@ std::vector<std::array<PicturePoint, 2>> segments_of(const Selection& item,
 }
 
 CardPlace place_card(int pointer_x, int pointer_y, int width, int height, int room_width, int room_height,
-                     std::span<const std::array<PicturePoint, 2>> segments) {
-  constexpr int gap = 16;
-  const std::array<int, 3> lefts = {pointer_x + gap, pointer_x - gap - width, pointer_x - width / 2};
-  const std::array<int, 3> tops = {pointer_y + gap, pointer_y - gap - height, pointer_y - height / 2};
+                     std::span<const std::array<PicturePoint, 2>> segments,
+                     std::span<const PictureBox> taken) {
+  constexpr int gap = 16, gap_to_taken = 6;
+  const int last_x = std::max(0, room_width - width), last_y = std::max(0, room_height - height);
   CardPlace best;
-  double least = far_away;
+  CardCost least;
+  const auto offer = [&](int left, int top, bool is_beside) {
+    const int x = std::clamp(left, 0, last_x), y = std::clamp(top, 0, last_y);
+    CardCost cost;
+    cost.covers =
+        std::ranges::any_of(taken, [&](const PictureBox& box) { return covers(x, y, width, height, box); });
+    cost.hidden_px = length_within(x, y, width, height, pointer_x, pointer_y, segments);
+    cost.away_px = is_beside ? 0 : std::hypot(x + width / 2 - pointer_x, y + height / 2 - pointer_y);
+    if (!(cost < least)) return;
+    least = cost;
+    best = {x, y};
+  };
+  std::vector<int> lefts = {pointer_x + gap, pointer_x - gap - width, pointer_x - width / 2};
+  std::vector<int> tops = {pointer_y + gap, pointer_y - gap - height, pointer_y - height / 2};
   for (const int top : tops)
-    for (const int left : lefts) {
-      if (left == lefts[2] && top == tops[2]) continue;  // over the pointer
-      const int x = std::clamp(left, 0, std::max(0, room_width - width));
-      const int y = std::clamp(top, 0, std::max(0, room_height - height));
-      const double hidden = length_within(x, y, width, height, pointer_x, pointer_y, segments);
-      if (hidden >= least) continue;
-      least = hidden;
-      best = {x, y};
-    }
+    for (const int left : lefts)
+      if (left != lefts[2] || top != tops[2]) offer(left, top, true);  // else over the pointer
+  if (!least.covers && least.hidden_px < pointer_counts) return best;
+  lefts.insert(lefts.end(), {0, last_x});
+  tops.insert(tops.end(), {0, last_y});
+  for (const PictureBox& box : taken) {
+    lefts.insert(lefts.end(), {box.x - gap_to_taken - width, box.x + box.width + gap_to_taken});
+    tops.insert(tops.end(), {box.y - gap_to_taken - height, box.y + box.height + gap_to_taken});
+  }
+  for (const int top : tops)
+    for (const int left : lefts) offer(left, top, false);
   return best;
 }
 

@@ -43,12 +43,18 @@ std::vector<std::array<PicturePoint, 2>> segments_of(const Selection& item,
                                                      const PictureProjection& projection,
                                                      const PairPose& pair);
 
+/// A rectangle of the picture [pixels].
+struct PictureBox {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 /// Position of a card of this size beside the pointer, inside the view and off the segments if possible, else
-/// where it hides least of them.
+/// where it hides least of them. Off the taken boxes wherever there is other room, if not beside the pointer.
 struct CardPlace {
   int x = 0, y = 0;
 };
 CardPlace place_card(int pointer_x, int pointer_y, int width, int height, int room_width, int room_height,
-                     std::span<const std::array<PicturePoint, 2>> segments);
+                     std::span<const std::array<PicturePoint, 2>> segments,
+                     std::span<const PictureBox> taken = {});
 
 }  // namespace abrazo::widgets

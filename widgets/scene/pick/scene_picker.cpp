@@ -62,8 +62,9 @@ void ScenePicker::moveCard(const FrameSnapshot& frame) {
     segments.insert(segments.end(), second.begin(), second.end());
   }
   const QPoint pointer = m_place.toPoint();
+  m_hoveredCard->limit(m_height);
   const CardPlace at = place_card(pointer.x(), pointer.y(), m_hoveredCard->width(), m_hoveredCard->height(),
-                                  m_parent->width(), m_height, segments);
+                                  m_parent->width(), m_height, segments, m_legends);
   m_hoveredCard->move(at.x, at.y);
 }
 
@@ -100,10 +101,15 @@ void ScenePicker::show(const FrameSnapshot& frame) {
   placeSelected();
 }
 
-void ScenePicker::arrange(int height_px, const QRect& at_right, const QRect& at_left) {
+void ScenePicker::arrange(int height_px, const QRect& at_right, const QRect& at_left,
+                          const std::vector<QRect>& legends) {
   m_height = height_px;
   m_atRight = at_right;
   m_atLeft = at_left;
+  m_legends.clear();
+  for (const QRect& legend : legends)
+    m_legends.push_back({legend.x(), legend.y(), legend.width(), legend.height()});
+  for (PickCard* card : {m_selectedCard, m_hoveredCard}) card->setMostWidth(at_right.width());
   placeSelected();
 }
 

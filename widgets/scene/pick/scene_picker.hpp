@@ -38,10 +38,11 @@ class ScenePicker {
   Selection itemAt(QPointF place, const FrameSnapshot& frame) const;
   /// Updates marks and cards for the frame; an item missing in its mesh is reported, not marked.
   void show(const FrameSnapshot& frame);
-  /// Both cards keep to the upper part of the picture. The one of the selection is at its lower right below
-  /// the legend; in a low picture it is at the left if there is more room, without the lines that do not fit.
+  /// Both cards keep to the upper part of the picture, without the lines that do not fit, and off the
+  /// legends. The one of the selection is at its lower right below them; in a low picture it is at the left
+  /// if there is more room.
   /// @param height_px of that part  @param at_right, at_left  free for that card
-  void arrange(int height_px, const QRect& at_right, const QRect& at_left);
+  void arrange(int height_px, const QRect& at_right, const QRect& at_left, const std::vector<QRect>& legends);
 
  private:
   std::span<const double> cornersOf(const Selection& item) const;
@@ -60,6 +61,7 @@ class ScenePicker {
   QPointF m_place{-1e6, -1e6};
   int m_height = 0;  ///< of the room for cards
   QRect m_atRight, m_atLeft;
+  std::vector<PictureBox> m_legends;
 };
 
 }  // namespace abrazo::widgets

@@ -193,8 +193,11 @@ void SceneView::placeCards() {
   const auto from_to = [](int x, int y, int right, int end) {
     return QRect(x, y, right - x, std::max(0, end - y));
   };
+  std::vector<QRect> legends;
+  for (const ScalarLegend* each : {p.legend, p.cell_legend})
+    if (!each->isHidden()) legends.push_back(each->geometry());
   p.picker.arrange(bottom, from_to(margin, below_legend, width() - margin, bottom),
-                   from_to(margin, below_chips, p.legend->x() - gap, left_bottom));
+                   from_to(margin, below_chips, p.legend->x() - gap, left_bottom), legends);
 }
 
 }  // namespace abrazo::widgets
