@@ -9,7 +9,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 7;
+constexpr std::uint8_t format_version = 8;
+constexpr std::uint8_t without_desired = 7;         ///< was written before the desired place had a speed
 constexpr std::uint8_t without_recorded_speed = 6;  ///< was written before that speed was filtered
 // Was written while bodies were always the library's. The speed of the partner's place did not include the
 // recorded motion then: a partner that continues from such a state first gets up to speed.
@@ -170,6 +171,9 @@ void write(BlobWriter& out, const PartnerMotion& motion) {
   out.matrix(place.speed());
   out.real(place.turning());
   out.matrix(place.recorded_speed());
+  out.flag(place.desired().has_value());
+  if (place.desired()) out.matrix(*place.desired());
+  out.matrix(place.desired_speed());
   out.real(since_change_s);
   write(out, transition);
   for (const Pose* one : {&adaptation.offset(), &adaptation.speed()}) out.matrix(*one);
@@ -201,7 +205,13 @@ PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
   const double turning = in.real();
   Vec3 recorded_speed = speed;
   if (version > without_recorded_speed) in.matrix(recorded_speed);
-  motion.place = PartnerPlace(at, speed, turning, recorded_speed);
+  std::optional<Vec3> desired;
+  Vec3 desired_speed = Vec3::Zero();
+  if (version > without_desired) {
+    if (in.flag()) in.matrix(desired.emplace());
+    in.matrix(desired_speed);
+  }
+  motion.place = PartnerPlace(at, speed, turning, recorded_speed, desired, desired_speed);
   motion.since_change_s = in.real();
   motion.transition = read_transition(in);
   Pose offset, offset_speed;

@@ -34,7 +34,7 @@ constexpr double press_rate = 50, lift_rate = 24;
 // A foot that the recording lifts is released when it is off the floor, or after these at the latest.
 constexpr double lifted_m = 0.02, longest_lift_s = 0.12, farthest_lift_m = 0.15;
 // A foot in the air anticipates the body's way beside the recording: by this share of the remaining way.
-constexpr double lead_share = 0.3, lead_rate = 12;  // omega [1/s]
+constexpr double lead_share = 0.4, lead_rate = 12;  // omega [1/s]
 constexpr double clearance_m = 0.06;  ///< a foot in the air is at least so high, if the recorded one is
 
 Vec3 horizontal(const Vec3& v) {

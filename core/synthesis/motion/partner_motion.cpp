@@ -16,10 +16,12 @@ constexpr double rate_lag_s = 0.15;
 constexpr double farthest_asked_m = 0.3;
 constexpr double adaptation_rate = 13;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
+constexpr double shift_share = 0.4;     ///< of the user's difference from the recorded leader
 constexpr double looks_ahead_s = 0.5;
+constexpr double carries_ahead_s = 0.5;      ///< so much of the recording is the mean of its speed taken over
 constexpr double body_room_m = 0.4;          ///< between two roots
 constexpr double pushes_off = 10;            ///< times what is missing of it
-constexpr double drawn_share = 1.8;          ///< of what a held hand lies beyond reach
+constexpr double drawn_share = 2.4;          ///< of what a held hand lies beyond reach
 constexpr double approaches_within_m = 0.1;  ///< so much nearer than in the recording: not drawn to the user
 
 RootFrame on_floor(const RootFrame& root) {
@@ -48,20 +50,28 @@ Vec3 centre_of(const BodyShape& shape, const Body& body) {
   return centre;
 }
 
+/// Of the recorded partner's heading [rad].
+double turn_between(const RecordedMoment& from, const RecordedMoment& to) {
+  return within_half_turn(to.partner_in_take.heading_rad - from.partner_in_take.heading_rad);
+}
+
 }  // namespace
 
-RecordedPath PartnerMover::path_between(const RecordedMoment& from, const RecordedMoment& to) const {
-  const double scale = leg_scale();
-  RecordedPath path;
-  path.turn = within_half_turn(to.partner_in_take.heading_rad - from.partner_in_take.heading_rad);
-  RootFrame half_way = from.partner_in_take;
-  half_way.heading_rad += 0.5 * path.turn;
-  Vec3 moved_by = scale * (to.partner_in_take.position - from.partner_in_take.position);
-  moved_by += to.partner_in_take.rotation() * centre_of(shape_in(to), body_) -
-              from.partner_in_take.rotation() * centre_of(shape_in(from), body_);
-  moved_by.y() = 0;
-  path.own = half_way.rotation().transpose() * moved_by;
-  return path;
+/// The mean over moments to come smooths the recording's accelerations without falling behind.
+RecordedMotion PartnerMover::recorded_motion() const {
+  RecordedMotion recorded{.turn = turn_};
+  const SourcePlayhead& now = motion_.playhead;
+  if (step_.stands) return recorded;
+  const double source_s = now.rate * carries_ahead_s;
+  const double ahead_s = std::min(source_s, recorded_ahead(step_.library, now, source_s));
+  if (ahead_s <= 0) return recorded;
+  const RecordedMoment later = moment_at(moved(step_.library, now, ahead_s));
+  const Vec3 moved_by = leg_scale() * (later.partner_in_take.position - moment_.partner_in_take.position) +
+                        later.partner_in_take.rotation() * centre_of(shape_in(later), body_) -
+                        moment_.partner_in_take.rotation() * centre_of(shape_in(moment_), body_);
+  recorded.speed = (now.rate / ahead_s) * (moment_.partner_in_take.rotation().transpose() * moved_by);
+  recorded.speed.y() = 0;
+  return recorded;
 }
 
 Vec3 shift_of_user(const RecordedMoment& moment, const Pose& user, const RootFrame& user_root) {
@@ -104,7 +114,8 @@ PairPose PartnerMover::move() {
   const Vec3 shift = shift_of_user(moment_, step_.user, step_.user_root);
   const RootFrame relation = step_.partner_place.value_or(moment_.partner);
   RootFrame wanted;
-  wanted.position = user_place.position + user_place.rotation() * on_floor(relation).position + shift;
+  wanted.position =
+      user_place.position + user_place.rotation() * on_floor(relation).position + shift_share * shift;
   wanted.heading_rad = user_place.heading_rad + relation.heading_rad;
   wanted.position += wanted.rotation() * centre_of(shape_in(moment_), body_);
   if (!is_placed_) {
@@ -112,7 +123,7 @@ PairPose PartnerMover::move() {
   } else {
     stand();
     const Vec3 drawn = motion_.holds.drawn(moved_, moment_, step_.user, step_.user_root, body_);
-    motion_.place.advance(path_, away(wanted), step_.elapsed_s, step_.settings.place_rate,
+    motion_.place.advance(recorded_motion(), away(wanted), step_.elapsed_s, step_.settings.place_rate,
                           drawn_share * no_nearer(drawn, root_, step_.user_root, moment_.partner));
   }
   goes_ = motion_.place.way_to(wanted);
@@ -202,15 +213,13 @@ void PartnerMover::begin_from(const ShownPartner& shown) {
   Vec3 speed = (centre_at.position - centre_before.position) / shown.before_s;
   speed.y() = 0;
   const double turning = within_half_turn(at.heading_rad - before.heading_rad) / shown.before_s;
-  path_ = path_between(earlier, moment_);
   const double share = step_.elapsed_s / shown.before_s;
-  path_.own *= share;
-  path_.turn *= share;
+  turn_ = share * turn_between(earlier, moment_);
   const RootFrame place{centre_at.position - step_.elapsed_s * speed,
                         centre_at.heading_rad - step_.elapsed_s * turning};
   // What it was shown with carries it on, until the new source does.
-  motion_.place = PartnerPlace(place, speed,
-                               step_.elapsed_s > 0 ? turning - path_.turn / step_.elapsed_s : turning, speed);
+  motion_.place =
+      PartnerPlace(place, speed, step_.elapsed_s > 0 ? turning - turn_ / step_.elapsed_s : turning, speed);
 }
 
 void PartnerMover::go_on() {
@@ -223,7 +232,7 @@ void PartnerMover::go_on() {
   }
   moment_ = moment_at(motion_.playhead);
   motion_.transition.advance(step_.elapsed_s);
-  path_ = path_between(before, moment_);
+  turn_ = turn_between(before, moment_);
 }
 
 void PartnerMover::follow_clock() {
@@ -242,7 +251,7 @@ void PartnerMover::change() {
   const BodyShape seen_before = motion_.transition.shown(shape_in(old_before));
   motion_.transition.advance(elapsed_s);
   const BodyShape seen = motion_.transition.shown(shape_in(old_now));
-  const double old_turn = path_between(old_before, old_now).turn;
+  const double old_turn = turn_between(old_before, old_now);
 
   motion_.playhead = {step_.chosen, 0, old.rate};
   moment_ = moment_at(motion_.playhead);
@@ -251,8 +260,8 @@ void PartnerMover::change() {
   const bool has_before = elapsed_s > 0 && !(earlier == motion_.playhead);
   motion_.transition.begin(seen, shape_in(moment_), seen_before, shape_in(before), has_before ? elapsed_s : 0,
                            step_.settings.transition_time_s);
-  path_ = path_between(before, moment_);
-  if (has_before) motion_.place.keep_turning((old_turn - path_.turn) / elapsed_s);
+  turn_ = turn_between(before, moment_);
+  if (has_before) motion_.place.keep_turning((old_turn - turn_) / elapsed_s);
   changed_ = true;
 }
 

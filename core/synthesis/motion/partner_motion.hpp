@@ -69,7 +69,7 @@ class PartnerMover {
  private:
   double leg_scale() const;
   BodyShape shape_in(const RecordedMoment& moment) const;
-  RecordedPath path_between(const RecordedMoment& from, const RecordedMoment& to) const;
+  RecordedMotion recorded_motion() const;
   RecordedMoment moment_at(const SourcePlayhead& playhead) const;
   RootFrame away(const RootFrame& wanted);
   /// Stands the shown shape at the place.
@@ -86,7 +86,7 @@ class PartnerMover {
   const MotionStep& step_;
   const Body& body_;
   RecordedMoment moment_;
-  RecordedPath path_;         ///< of the centre of mass during this step
+  double turn_ = 0;           ///< of the recorded heading during this step [rad]
   Vec3 goes_ = Vec3::Zero();  ///< remaining way to the desired place, horizontal [m]
   RootFrame root_;            ///< of the moved partner
   Pose moved_ = Pose::Zero();

@@ -186,8 +186,10 @@ const std::vector<Entry>& entries() {
              "Not in the paper; used by the playback continuous."},
             &Settings::transition_time_s),
       entry({"place-rate", "\u03c9", "place rate", "Timing", "1/s", Kind::Real, 0.5, 30, true, "",
-             "Rate at which the partner approaches its desired place D; v is the recorded speed, filtered.\n"
-             "  P\u2033 = \u03c9\u00b2 e / (1 + |e| / 0.32 m) \u2212 2.5 \u03c9 (P\u2032 \u2212 0.8 v),  e = "
+             "Rate at which the partner approaches its desired place D; v and d are the speeds of the "
+             "recording and of D, filtered.\n"
+             "  P\u2033 = \u03c9\u00b2 e / (1 + |e| / 0.35 m) \u2212 2 \u03c9 (P\u2032 \u2212 0.6 v \u2212 "
+             "0.4 d),  e = "
              "D \u2212 P\n"
              "Higher: nearer, but the partner follows every movement of the user's hips.\n"
              "Not in the paper; used by the playback continuous."},
@@ -329,9 +331,8 @@ Result<Settings> preset(std::string_view name) {
     settings.continuations = 3;
     settings.foot_lock_speed = 0.3;
     settings.playback = SourcePlayback::Continuous;
-    settings.place_rate = 7.7;
     settings.hold_weight = 50;
-    settings.switch_margin = 0.1;
+    settings.switch_margin = 0.097;
     return settings;
   }
   return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "",

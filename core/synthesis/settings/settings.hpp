@@ -44,7 +44,7 @@ struct Settings {
   // How the selected pair becomes motion. All except the first apply only to `continuous`.
   SourcePlayback playback = SourcePlayback::Frames;
   double transition_time_s = 0.28;  ///< time in which a small change of source fades [s]
-  double place_rate = 8;            ///< omega of the spring that moves the partner to its place [1/s]
+  double place_rate = 6;            ///< omega of the spring that moves the partner to its place [1/s]
   double hold_weight = 0;           ///< w_H: weight of the energy that brings held hands together
 
   double foot_lock_speed =

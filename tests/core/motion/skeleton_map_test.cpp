@@ -451,7 +451,9 @@ TEST(SkeletonMap, AFootThatEndsInAnEndSiteHasItsToesThere) {
   ASSERT_TRUE(imported);
   EXPECT_THAT(
       the_warning(imported->report.warnings, "inferred-joints").detail,
-      HasSubstr("4 of the 25 joints are not in the file and were inferred: lfoot, ltoes, rfoot, rtoes"));
+      HasSubstr(
+          "6 of the 25 joints are not in the file and were inferred: lfoot, ltoes, rfoot, rtoes, lhand, "
+          "rhand"));
   const Pose& pose = imported->clip.poses.front();
   EXPECT_NEAR(pose(joints::left_toe_tip, 2), 0.19, 1e-9);
   EXPECT_NEAR(pose(joints::left_toe_base, 2), 0.7 * 0.19, 1e-9);

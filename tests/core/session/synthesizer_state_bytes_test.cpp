@@ -93,16 +93,41 @@ std::ptrdiff_t place_of(const SynthesizerState& state, const std::function<void(
   return std::mismatch(bytes.begin(), bytes.end(), others.begin()).first - bytes.begin();
 }
 
-constexpr std::ptrdiff_t recorded_speed = 3 * sizeof(double);  ///< bytes of it in a state
+// Bytes in a state: the desired place with a flag and its speed follow the recorded speed.
+constexpr std::ptrdiff_t desired = 1 + 6 * sizeof(double);
+constexpr std::ptrdiff_t recorded_speed = 3 * sizeof(double) + desired;
 
-/// As written before the recorded speed of the partner's place was filtered.
-std::vector<std::uint8_t> bytes_without_recorded_speed(const SynthesizerState& state) {
-  const auto begin = place_of(state, [](auto& s) {
+/// The first byte of the recorded speed.
+std::ptrdiff_t place_of_recorded_speed(const SynthesizerState& state) {
+  return place_of(state, [](auto& s) {
     PartnerPlace& place = s.memory.motion.place;
     Vec3 other = place.recorded_speed();
     other.x() = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(other.x()));
-    place = PartnerPlace(place.at(), place.speed(), place.turning(), other);
+    place = PartnerPlace(place.at(), place.speed(), place.turning(), other, place.desired(),
+                         place.desired_speed());
   });
+}
+
+TEST(SynthesizerStateBytes, OfTheVersionWithoutADesiredPlaceHaveAllElse) {
+  const SynthesizerState state = used_state();
+  ASSERT_TRUE(state.memory.motion.place.desired());
+  ASSERT_GT(state.memory.motion.place.desired_speed().norm(), 0);
+  auto old = synthesizer_state_bytes(state);
+  const auto end = old.begin() + place_of_recorded_speed(state) + recorded_speed;
+  old.erase(end - desired, end);
+  old[0] = 7;
+  const auto read = parse_synthesizer_state(old);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_FALSE(read->memory.motion.place.desired());
+  EXPECT_EQ(read->memory.motion.place.desired_speed(), Vec3::Zero());
+  EXPECT_EQ(read->memory.motion.place.recorded_speed(), state.memory.motion.place.recorded_speed());
+  EXPECT_EQ(read->memory.motion.since_change_s, state.memory.motion.since_change_s);
+  EXPECT_EQ(read->pinned, 12);
+}
+
+/// As written before the recorded speed of the partner's place was filtered.
+std::vector<std::uint8_t> bytes_without_recorded_speed(const SynthesizerState& state) {
+  const auto begin = place_of_recorded_speed(state);
   auto bytes = synthesizer_state_bytes(state);
   bytes.erase(bytes.begin() + begin, bytes.begin() + begin + recorded_speed);
   return bytes;

@@ -135,7 +135,7 @@ TEST(FootPlants, AFootInTheAirMakesForWhereTheBodyGoes) {
     return shown;
   };
   const auto here = shown_after(0), led = shown_after(0.2);
-  EXPECT_NEAR(led[0].x() - here[0].x(), 0.3 * 0.2, 0.01) << "three tenths of the way, and stays there";
+  EXPECT_NEAR(led[0].x() - here[0].x(), 0.4 * 0.2, 0.01) << "four tenths of the way, and stays there";
   EXPECT_NEAR(led[0].z(), here[0].z(), 1e-9);
   EXPECT_LT((led[1] - here[1]).norm(), 1e-9) << "the standing foot";
 }

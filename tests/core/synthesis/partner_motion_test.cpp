@@ -290,16 +290,16 @@ Vec3 rests_at(const MotionLibrary& library, const Vec3& hand_moves, double hold_
 
 TEST(PartnerMotion, AHeldHandDrawsThePartnerAlongButNotIntoTheUser) {
   const MotionLibrary library = library_of_a_standing_hold();
-  // Beside the user: there the partner goes along, also where this is nearer, as long as it is not nearer
+  // Beside the user: there the partner goes along, also where this is nearer, up to a tenth of a metre nearer
   // than recorded.
   const Vec3 beside(0.8, 0, 0);
   const Vec3 without = rests_at(library, beside, 0), drawn = rests_at(library, beside, 50);
   const double without_m = std::hypot(without.x(), without.z()), drawn_m = std::hypot(drawn.x(), drawn.z());
   EXPECT_GT(drawn.x(), without.x() + 0.05);
-  EXPECT_GT(drawn_m, 0.9);
+  EXPECT_GT(drawn_m, 0.9 - 0.1);
   EXPECT_LT(drawn_m, without_m - 0.02);
   // Behind the user: what the partner is nearer is of the place that follows the hand, and not of the pull.
-  for (const double behind_m : {0.4, 0.5, 0.6}) {
+  for (const double behind_m : {0.7, 0.8, 0.9}) {
     const Vec3 behind(0, 0, -behind_m);
     const double unheld_m = rests_at(library, behind, 0).z(), held_m = rests_at(library, behind, 50).z();
     ASSERT_LT(unheld_m, 0.9 - 0.1) << "a tenth of a metre nearer than recorded";

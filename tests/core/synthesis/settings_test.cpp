@@ -32,12 +32,11 @@ TEST(Settings, TheResponsivePresetIsThatOfTheGuide) {
   wanted.selection = SelectionMethod::Intent;
   wanted.alpha = 0.2;
   wanted.continuations = 3;
-  wanted.switch_margin = 0.1;
+  wanted.switch_margin = 0.097;
   wanted.velocity_weight = 0;
   wanted.hold_weight = 50;
   wanted.foot_lock_speed = 0.3;
   wanted.playback = SourcePlayback::Continuous;
-  wanted.place_rate = 7.7;
   wanted.step_rate_hz = 0;
   EXPECT_EQ(*preset("responsive"), wanted);
 }
