@@ -428,7 +428,7 @@ TEST(TimelineOfARecordingWithGaps, DrawsNoLineAcrossThem) {
     const int left = static_cast<int>(view.axis().x(from_s)), right = static_cast<int>(view.axis().x(to_s));
     const QRect cost(left, static_cast<int>(view.lanes().top_of(TimelineLane::Cost)), right - left,
                      static_cast<int>(info_of(TimelineLane::Cost).height_px));
-    return pixels_of_hue(picture_of(view).copy(cost), dark().user);
+    return pixels_like(picture_of(view).copy(cost), dark().user);
   };
   EXPECT_GT(line(1.5, 3), 20);
   EXPECT_EQ(line(3.5, 6.1), 0) << "packets were lost";

@@ -387,13 +387,8 @@ TEST_F(Layout, FiveSettingsAreInViewBelowTheCandidates) {
     return rows;
   };
   const auto candidate_rows = [] {
-    return window()
-               .candidates()
-               .findChild<widgets::CandidateList*>()
-               ->visibleRegion()
-               .boundingRect()
-               .height() /
-           widgets::CandidateList::row_height;
+    const auto* list = window().candidates().findChild<widgets::CandidateList*>();
+    return list->parentWidget()->visibleRegion().boundingRect().height() / widgets::CandidateList::row_height;
   };
   for (const QSize size : {QSize(1600, 1000), QSize(1280, 720), QSize(1600, 1000)}) {
     window().resize(size);

@@ -171,6 +171,7 @@ TEST_F(StreamActions, ATakeThatIsAnnotatedKeepsItsCursorWhenAStreamConnects) {
   EXPECT_EQ(ticker().playback().state, Playback::State::Following) << "the session is where it was";
   action("Disconnect")->trigger();
   EXPECT_TRUE(until([] { return live().input_frame >= 0; })) << "its clip is held no longer";
+  EXPECT_TRUE(until([] { return ticker().shown() != nullptr; }));
 }
 
 TEST_F(StreamActions, WhileNothingHasComeTheSceneSaysSoAndTheClipIsHeld) {
