@@ -92,14 +92,13 @@ float HistoryKernel::operator()(std::span<const float> a, std::span<const float>
   return sum / part_count;
 }
 
-HistoryKernel::Compared HistoryKernel::to_compare(Rows descriptions) const {
+HistoryKernel::Compared HistoryKernel::to_compare(const Rows& descriptions) const {
   Compared compared;
   compared.squares.resize(descriptions.rows(), part_count);
-  for (int p = 0; p < part_count; ++p) {
-    const Part& part = parts_[static_cast<std::size_t>(p)];
-    compared.squares.col(p) = descriptions.middleCols(part.at, part.axes.rows()).rowwise().squaredNorm();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    compared.parts[p] = descriptions.middleCols(parts_[p].at, parts_[p].axes.rows());
+    compared.squares.col(static_cast<Eigen::Index>(p)) = compared.parts[p].rowwise().squaredNorm();
   }
-  compared.rows = std::move(descriptions);
   return compared;
 }
 
@@ -113,7 +112,7 @@ void HistoryKernel::compare(const Compared& with, std::span<const float> descrip
   for (int p = 0; p < part_count; ++p) {
     const Part& part = parts_[static_cast<std::size_t>(p)];
     const Eigen::Map<const Eigen::VectorXf> own(description.data() + part.at, part.axes.rows());
-    squared.matrix().noalias() -= 2 * (with.rows.block(0, part.at, count, part.axes.rows()) * own);
+    squared.matrix().noalias() -= 2 * (with.parts[static_cast<std::size_t>(p)].topRows(count) * own);
     squared += with.squares.col(p).head(count).array() + own.squaredNorm();
     sum += (squared.max(0.0F) * (-1 / (kernel_width * static_cast<float>(p + 1)))).exp();
   }

@@ -39,12 +39,14 @@ class HistoryKernel {
   /// The kernel of two descriptions.
   float operator()(std::span<const float> a, std::span<const float> b) const;
 
-  /// Descriptions to compare with, one per row.
+  /// Descriptions to compare with, one per row. Each part has its own array, because they are read one after
+  /// the other, mostly from outside the caches.
   struct Compared {
-    Rows rows;
-    Eigen::Matrix<float, Eigen::Dynamic, part_count, Eigen::RowMajor> squares;  ///< of each part
+    std::array<Rows, part_count> parts;
+    Eigen::Matrix<float, Eigen::Dynamic, part_count> squares;
+    Eigen::Index size() const { return squares.rows(); }
   };
-  Compared to_compare(Rows descriptions) const;
+  Compared to_compare(const Rows& descriptions) const;
   /// Evaluates the kernel of one description with each of the first `kernel.size()` descriptions.
   /// @param work the same size as `kernel`
   void compare(const Compared& with, std::span<const float> description, std::span<float> kernel,

@@ -101,7 +101,7 @@ struct IntentModel::Learned {
 
   Eigen::Index outputs() const { return partners.size() + 1 + static_cast<Eigen::Index>(labels.size()); }
   void place_in_blocks();
-  bool regress(const std::vector<int>& of, const Progress& progress);
+  bool regress(const std::vector<int>& of, const Rows& motions, const Progress& progress);
   bool describe_landings(const Progress& progress);
 };
 
@@ -136,7 +136,9 @@ void IntentModel::Learned::place_in_blocks() {
 
 /// Weights with which every example's partner and label count, by how alike its motion is: (K + ridge I)^-1
 /// Y.
-bool IntentModel::Learned::regress(const std::vector<int>& of, const Progress& progress) {
+/// @param motions the examples, described
+bool IntentModel::Learned::regress(const std::vector<int>& of, const Rows& motions,
+                                   const Progress& progress) {
   const auto count = static_cast<Eigen::Index>(of.size());
   Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(count, outputs());
   std::vector<float> point(static_cast<std::size_t>(partners.size()));
@@ -158,8 +160,8 @@ bool IntentModel::Learned::regress(const std::vector<int>& of, const Progress& p
   const bool compared = for_each_row(of.size(), 64, part(progress, 0, 0.3), learning, [&](std::size_t at) {
     const auto e = static_cast<Eigen::Index>(at);
     std::vector<float> with_earlier(at + 1), room(at + 1);
-    kernel.compare(examples, {examples.rows.row(e).data(), static_cast<std::size_t>(kernel.size())},
-                   with_earlier, room);
+    kernel.compare(examples, {motions.row(e).data(), static_cast<std::size_t>(kernel.size())}, with_earlier,
+                   room);
     alike.row(e).head(e + 1) =
         Eigen::Map<const Eigen::RowVectorXf>(with_earlier.data(), e + 1).cast<double>();
     alike(e, e) = 1 + ridge;
@@ -208,12 +210,12 @@ std::shared_ptr<const IntentModel> IntentModel::learn(std::shared_ptr<const Moti
 
   auto learned = std::make_unique<Learned>(library, HistoryKernel(motions), PartnerEmbedding(landmarks));
   learned->labels = labels_of(*library, pairs);
-  learned->examples = learned->kernel.to_compare(learned->kernel.describe(motions));
-  motions.resize(0, 0);
+  motions = learned->kernel.describe(motions);
+  learned->examples = learned->kernel.to_compare(motions);
   learned->landings = thinned(*library, pairs, landings_per_second, most_landings, true);
   learned->place_in_blocks();
   if (!learned->describe_landings(part(progress, 0.1, 0.3))) return nullptr;
-  if (!learned->regress(examples, part(progress, 0.3, 1))) return nullptr;
+  if (!learned->regress(examples, motions, part(progress, 0.3, 1))) return nullptr;
   return std::shared_ptr<const IntentModel>(new IntentModel(std::move(learned)));
 }
 
@@ -239,14 +241,14 @@ int IntentModel::label_of_landing(std::size_t landing) const {
   return learned_->landing_labels[landing];
 }
 int IntentModel::example_count() const {
-  return static_cast<int>(learned_->examples.rows.rows());
+  return static_cast<int>(learned_->examples.size());
 }
 
 IntentModel::Reading IntentModel::make_reading() const {
   const Learned& of = *learned_;
   Reading reading;
   reading.motion.resize(static_cast<std::size_t>(of.kernel.size()));
-  reading.kernel.resize(static_cast<std::size_t>(of.examples.rows.rows()));
+  reading.kernel.resize(static_cast<std::size_t>(of.examples.size()));
   reading.kernel_work = reading.kernel;
   reading.expected.resize(static_cast<std::size_t>(of.outputs()));
   reading.moves.resize(of.labels.size());
@@ -266,7 +268,7 @@ void IntentModel::read(const MotionHistory& history, Reading& reading) const {
   of.kernel.describe(raw, reading.motion);
 
   of.kernel.compare(of.examples, reading.motion, reading.kernel, reading.kernel_work);
-  const Eigen::Map<const Eigen::VectorXf> kernel(reading.kernel.data(), of.examples.rows.rows());
+  const Eigen::Map<const Eigen::VectorXf> kernel(reading.kernel.data(), of.examples.size());
 
   Eigen::Map<Eigen::VectorXf> expected(reading.expected.data(), of.outputs());
   expected.noalias() = of.weights.transpose() * kernel;
