@@ -30,7 +30,7 @@ struct LiveOptions {
   std::string library, record, take, role_control = "hand";
   std::vector<std::string> listen, send, send_user, excluded;
   MotionReading clip;                      ///< how the motion of `clip:FILE` is read
-  SettingsOptions settings{"responsive"};  ///< as in the window: a partner at 15 Hz would lag
+  SettingsOptions settings;
   double seconds = 0, calibrate_after_s = 0;
   bool json = false;
 };

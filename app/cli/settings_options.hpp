@@ -13,16 +13,13 @@ namespace abrazo::app {
 /// solves.
 class SettingsOptions {
  public:
-  /// @param preset default preset
-  explicit SettingsOptions(std::string preset = "paper") : preset_(std::move(preset)) {}
-
   void add_to(CLI::App& command);
 
   /// The preset with the given options applied.
   Result<Settings> read() const;
 
  private:
-  std::string preset_;
+  std::string preset_ = "responsive";  ///< as in the window
   std::map<std::string, std::string> given_;
 };
 

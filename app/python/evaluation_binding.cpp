@@ -42,7 +42,7 @@ void bind_evaluation(py::module_& module) {
   module.def(
       "evaluate", &evaluate_takes, py::arg("manifest"), py::arg("parts") = std::vector<std::string>{"all"},
       py::kw_only(), py::arg("users") = "", py::arg("both_roles") = false,
-      py::arg("hold_out") = std::vector<std::string>(), py::arg("preset") = "paper",
+      py::arg("hold_out") = std::vector<std::string>(), py::arg("preset") = "responsive",
       py::arg("settings") = py::none(), py::arg("variants") = true, py::arg("progress") = py::none(),
       "The paper's tables and further metrics on the takes of a manifest: a dict, the report.json of "
       "`abrazo evaluate`.\n\n"

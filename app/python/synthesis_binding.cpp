@@ -124,7 +124,7 @@ void bind_synthesis(py::module_& module) {
       "settings and\ninput give the same bits, here and in `abrazo synth`.")
       .def(py::init<const ReadLibrary&, const std::string&, const std::vector<std::string>&,
                     const py::object&>(),
-           py::arg("library"), py::arg("preset") = "paper", py::arg("exclude") = std::vector<std::string>(),
+           py::arg("library"), py::arg("preset") = "responsive", py::arg("exclude") = std::vector<std::string>(),
            py::arg("settings") = py::none(),
            "preset: 'paper' or 'responsive'; exclude: names of takes that are never selected; settings: a "
            "dict of those\nthat differ from the preset, by the names of the command line: {'alpha': 0.1, "
@@ -188,7 +188,7 @@ void bind_synthesis(py::module_& module) {
           [](Synthesizer& self) { self.alone([](PartnerSynthesizer& synthesizer) { synthesizer.reset(); }); },
           "Forgets the steps before: the next is a first one.");
 
-  module.def("synthesize", &synthesize, py::arg("library"), py::arg("clip"), py::arg("preset") = "paper",
+  module.def("synthesize", &synthesize, py::arg("library"), py::arg("clip"), py::arg("preset") = "responsive",
              py::arg("exclude") = std::vector<std::string>(), py::arg("settings") = py::none(), py::kw_only(),
              py::arg("keep_frames") = true, py::arg("progress") = py::none(),
              "Answers a whole clip as `abrazo synth` does, to the bit.\n\n"

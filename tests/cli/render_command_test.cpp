@@ -23,7 +23,8 @@ class RenderCommand : public CommandLineTest {
   /// A trace of 2 s of the generated dance.
   void make_trace() const {
     make_library();
-    ASSERT_EQ(run("synth --library demo.h5 --input demo/salsa_01_a.bvh --trace all.jsonl -o out.bvh --quiet")
+    ASSERT_EQ(run("synth --library demo.h5 --input demo/salsa_01_a.bvh --preset paper --trace all.jsonl -o "
+                  "out.bvh --quiet")
                   .status,
               0);
     std::string all = read("all.jsonl");

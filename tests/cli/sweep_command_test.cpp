@@ -31,7 +31,7 @@ TEST_F(SweepCommand, WritesTheGridAndNamesTheBestPoint) {
   const Outcome outcome = sweep("");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("best partner.mean_joint_error_m: 0."));
-  EXPECT_THAT(outcome.out, HasSubstr("options: --preset paper"));
+  EXPECT_THAT(outcome.out, HasSubstr("options: --preset responsive"));
   EXPECT_THAT(report_files(), ElementsAre("shard-1-of-1.json", "sweep.html", "sweep.json"));
   const auto json = nlohmann::json::parse(read("s/sweep.json"));
   ASSERT_EQ(json["points"].size(), 4u);

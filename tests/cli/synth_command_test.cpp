@@ -35,7 +35,7 @@ double largest_difference(const Table& one, const Table& both, const std::string
 
 TEST_F(SynthCommand, SaysInJsonHowManyStepsItSolved) {
   make_library();
-  const Outcome outcome = synth("--json");
+  const Outcome outcome = synth("--json --preset paper");
   EXPECT_EQ(outcome.status, 0);
   const auto summary = nlohmann::json::parse(outcome.out);
   const auto input = nlohmann::json::parse(run("motion info demo/salsa_01_a.bvh --json").out);
@@ -48,8 +48,8 @@ TEST_F(SynthCommand, SaysInJsonHowManyStepsItSolved) {
 
 TEST_F(SynthCommand, BvhAndCsvHoldTheSameMotion) {
   make_library();
-  ASSERT_EQ(synth("-o pair.csv").status, 0);
-  ASSERT_EQ(synth("-o pair.bvh").status, 0);
+  ASSERT_EQ(synth("-o pair.csv --preset paper").status, 0);
+  ASSERT_EQ(synth("-o pair.bvh --preset paper").status, 0);
   const Table pair = parse_table(read("pair.csv"));
   EXPECT_THAT(pair.columns, SizeIs(2 + 2 * 25 * 3));
   EXPECT_NEAR(pair.at(15, "time"), 1, 1e-12);
@@ -107,12 +107,12 @@ TEST_F(SynthCommand, ACharacterPerformsBothInAFileEach) {
 TEST_F(SynthCommand, AnotherInputRateGivesTheSameStepRate) {
   make_library();
   for (const std::string fps : {"30", "120"}) {
-    const auto summary = nlohmann::json::parse(synth("--json --fps " + fps).out);
+    const auto summary = nlohmann::json::parse(synth("--json --preset paper --fps " + fps).out);
     EXPECT_EQ(summary["step_rate_hz"], 15);
     EXPECT_EQ(summary["failed"], 0);
   }
-  EXPECT_EQ(nlohmann::json::parse(synth("--json --fps 30 --preset responsive").out)["step_rate_hz"], 30);
-  EXPECT_EQ(nlohmann::json::parse(synth("--json --fps 240 --preset responsive").out)["step_rate_hz"], 120);
+  EXPECT_EQ(nlohmann::json::parse(synth("--json --fps 30").out)["step_rate_hz"], 30);
+  EXPECT_EQ(nlohmann::json::parse(synth("--json --fps 240").out)["step_rate_hz"], 120);
 }
 
 TEST_F(SynthCommand, AUserOfAnotherSizeGetsTheLibrarysBodies) {

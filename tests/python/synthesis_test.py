@@ -26,14 +26,14 @@ def poses(trace, key):
     return np.array([step[key] for step in trace])
 
 
-def steps(partner, clip, stride=4):
-    """Answers a clip by hand, each `stride`-th frame."""
+def steps(partner, clip):
+    """Answers a clip by hand."""
     partner.measure_user(clip)
     elapsed = 0.0
-    for frame in range(0, len(clip), stride):
+    for frame in range(len(clip)):
         yield partner.step(clip.positions[frame], elapsed)
         # As the command line has it: the difference of two times.
-        elapsed = (frame + stride) / clip.fps - frame / clip.fps
+        elapsed = (frame + 1) / clip.fps - frame / clip.fps
 
 
 class SameAsTheCommandLine(unittest.TestCase):
@@ -46,7 +46,7 @@ class SameAsTheCommandLine(unittest.TestCase):
         return trace, run
 
     def test_by_the_paper(self):
-        self.expect_same(["--exclude", "salsa_01"], exclude=LEAVE_OUT)
+        self.expect_same(["--exclude", "salsa_01", "--preset", "paper"], exclude=LEAVE_OUT, preset="paper")
 
     def test_by_intent(self):
         self.expect_same(["--preset", "responsive"], preset="responsive")
@@ -117,14 +117,15 @@ class Costs(unittest.TestCase):
 
     def test_of_the_pose_are_distances_to_the_recorded_pair(self):
         library = demo_set.library()
-        for frame in abrazo.synthesize(library, demo_set.leader()).frames:
+        for frame in abrazo.synthesize(library, demo_set.leader(), preset="paper").frames:
             for candidate in frame.candidates:
                 recorded = library.pose(candidate.pair)[0]
                 pose = np.sum((frame.query_normalized - recorded) ** 2)
                 np.testing.assert_allclose(candidate.cost.pose, pose, rtol=1e-9)
 
     def test_add_up_with_alpha_and_the_least_wins(self):
-        for frame in abrazo.synthesize(demo_set.library(), demo_set.leader(), settings={"alpha": 0.3}).frames:
+        run = abrazo.synthesize(demo_set.library(), demo_set.leader(), preset="paper", settings={"alpha": 0.3})
+        for frame in run.frames:
             costs = [candidate.cost for candidate in frame.candidates]
             for cost in costs:
                 temporal = cost.temporal_active + cost.temporal_passive
@@ -141,7 +142,7 @@ class Costs(unittest.TestCase):
 
 class Stepping(unittest.TestCase):
     def setUp(self):
-        self.partner = abrazo.Synthesizer(demo_set.library())
+        self.partner = abrazo.Synthesizer(demo_set.library(), preset="paper")
         self.user = demo_set.leader().positions
 
     def test_selects_what_is_pinned(self):
@@ -162,7 +163,7 @@ class Stepping(unittest.TestCase):
     def test_selects_with_a_cost_from_outside(self):
         """Looks at the candidates, goes back, pins: with Eq. 7 as the cost the same bits."""
         clip = demo_set.leader()
-        run = abrazo.synthesize(demo_set.library(), clip, keep_frames=False)
+        run = abrazo.synthesize(demo_set.library(), clip, preset="paper", keep_frames=False)
         self.partner.measure_user(clip)
         for step, time in enumerate(run.times):
             elapsed = time - run.times[step - 1] if step else 0
