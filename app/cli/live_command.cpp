@@ -29,7 +29,7 @@ constexpr double between_reports_s = 0.5;
 struct LiveOptions {
   std::string library, record, take, role_control = "hand";
   std::vector<std::string> listen, send, send_user, excluded;
-  MotionReading clip;                      ///< how the motion of `clip:FILE` is read
+  MotionReading clip;  ///< how the motion of `clip:FILE` is read
   SettingsOptions settings;
   double seconds = 0, calibrate_after_s = 0;
   bool json = false;

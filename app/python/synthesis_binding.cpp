@@ -124,8 +124,8 @@ void bind_synthesis(py::module_& module) {
       "settings and\ninput give the same bits, here and in `abrazo synth`.")
       .def(py::init<const ReadLibrary&, const std::string&, const std::vector<std::string>&,
                     const py::object&>(),
-           py::arg("library"), py::arg("preset") = "responsive", py::arg("exclude") = std::vector<std::string>(),
-           py::arg("settings") = py::none(),
+           py::arg("library"), py::arg("preset") = "responsive",
+           py::arg("exclude") = std::vector<std::string>(), py::arg("settings") = py::none(),
            "preset: 'paper' or 'responsive'; exclude: names of takes that are never selected; settings: a "
            "dict of those\nthat differ from the preset, by the names of the command line: {'alpha': 0.1, "
            "'foot-locks': False}.\nRaises abrazo.Error.")

@@ -58,8 +58,8 @@ double turn_between(const RecordedMoment& from, const RecordedMoment& to) {
 }  // namespace
 
 /// The mean over moments to come smooths the recording's accelerations without falling behind.
-RecordedMotion PartnerMover::recorded_motion() const {
-  RecordedMotion recorded{.turn = turn_};
+RecordedStep PartnerMover::recorded_step() const {
+  RecordedStep recorded{.turn = turn_};
   const SourcePlayhead& now = motion_.playhead;
   if (step_.stands) return recorded;
   const double source_s = now.rate * carries_ahead_s;
@@ -123,7 +123,7 @@ PairPose PartnerMover::move() {
   } else {
     stand();
     const Vec3 drawn = motion_.holds.drawn(moved_, moment_, step_.user, step_.user_root, body_);
-    motion_.place.advance(recorded_motion(), away(wanted), step_.elapsed_s, step_.settings.place_rate,
+    motion_.place.advance(recorded_step(), away(wanted), step_.elapsed_s, step_.settings.place_rate,
                           drawn_share * no_nearer(drawn, root_, step_.user_root, moment_.partner));
   }
   goes_ = motion_.place.way_to(wanted);

@@ -69,7 +69,7 @@ class PartnerMover {
  private:
   double leg_scale() const;
   BodyShape shape_in(const RecordedMoment& moment) const;
-  RecordedMotion recorded_motion() const;
+  RecordedStep recorded_step() const;
   RecordedMoment moment_at(const SourcePlayhead& playhead) const;
   RootFrame away(const RootFrame& wanted);
   /// Stands the shown shape at the place.

@@ -48,7 +48,7 @@ Vec3 PartnerPlace::way_to(const RootFrame& wanted) const {
   return pull(at_.position, wanted);
 }
 
-void PartnerPlace::advance(const RecordedMotion& recorded, const RootFrame& wanted, double elapsed_s,
+void PartnerPlace::advance(const RecordedStep& recorded, const RootFrame& wanted, double elapsed_s,
                            double rate, const Vec3& drawn) {
   RootFrame half_way = at_;
   half_way.heading_rad += 0.5 * recorded.turn;

@@ -6,9 +6,9 @@
 
 namespace abrazo {
 
-/// Motion of the recorded partner's centre of mass, relative to the partner's heading.
-struct RecordedMotion {
-  Vec3 speed = Vec3::Zero();  ///< horizontal, mean over the next moments [m/s]
+/// How the recording carries the partner during a step.
+struct RecordedStep {
+  Vec3 speed = Vec3::Zero();  ///< of the centre of mass, horizontal, relative to the partner's heading [m/s]
   double turn = 0;            ///< of the heading during the step [rad]
 };
 
@@ -45,10 +45,9 @@ class PartnerPlace {
   /// Distance over which the spring pulls, s(D - x), horizontal [m].
   Vec3 way_to(const RootFrame& wanted) const;
   /// Advances by a step.
-  /// @param recorded motion of the recording
   /// @param rate  omega of the position [1/s]
   /// @param drawn pull of held hands, added to that of the spring without its bound, horizontal [m]
-  void advance(const RecordedMotion& recorded, const RootFrame& wanted, double elapsed_s, double rate,
+  void advance(const RecordedStep& recorded, const RootFrame& wanted, double elapsed_s, double rate,
                const Vec3& drawn = Vec3::Zero());
 
   PartnerPlace(const RootFrame& at, const Vec3& speed, double turning, const Vec3& recorded_speed,

@@ -124,6 +124,44 @@ TEST(PartnerMotion, AChangeOfSourceLeavesTheCentreOfMassOnItsWay) {
   EXPECT_LT(greatest(centres), 0.7 * greatest(roots)) << greatest(centres) << " " << greatest(roots);
 }
 
+/// A recorded partner who stands for a second and then walks off at 0.6 m/s.
+TEST(PartnerMotion, TheRecordingCarriesByItsMeanSpeedOfTheHalfSecondToCome) {
+  PairedTake take = test::swinging_take("walks", 120, 1);
+  for (std::size_t frame = 0; frame < take.a.poses.size(); ++frame) {
+    const double walked_m = 0.6 * std::max(0.0, static_cast<double>(frame) * step_s - 1);
+    take.a.poses[frame] = test::standing_pose();
+    take.b.poses[frame] = test::moved(test::standing_pose(), 3.1, Vec3(0, 0, 0.9 + walked_m));
+  }
+  std::vector<PairedTake> takes;
+  takes.push_back(std::move(take));
+  const MotionLibrary library = std::move(*build_library("walks", std::move(takes), {}, {}));
+  const Settings settings = test::responsive_by_pose();
+  const Pose user = test::standing_pose();
+  PartnerMotion motion;
+  const auto advance = [&](int frame, bool stands) {
+    const MotionStep step{.library = library,
+                          .settings = settings,
+                          .user = user,
+                          .user_root = root_frame(user),
+                          .elapsed_s = frame == 0 ? 0 : step_s,
+                          .chosen = 0,
+                          .stands = stands,
+                          .shown = std::nullopt};
+    PartnerMover(motion, step).move();
+    return motion.place.recorded_speed().norm();
+  };
+  double filtered = 0;  // v' = (c - v) / 0.3 s
+  for (int frame = 0; frame < 118; ++frame) {
+    const double to_come = 0.6 * std::clamp((frame * step_s + 0.5 - 1) / 0.5, 0.0, 1.0);
+    if (frame > 0) filtered = to_come + (filtered - to_come) * std::exp(-step_s / 0.3);
+    ASSERT_NEAR(advance(frame, false), filtered, 1e-6) << frame;
+  }
+  EXPECT_GT(filtered, 0.5) << "also where less than half a second is left";
+  const double before = filtered;
+  EXPECT_NEAR(advance(118, true), before * std::exp(-step_s / 0.3), 1e-6)
+      << "a source that is held carries no more";
+}
+
 /// A partner who stands on both feet throughout.
 MotionLibrary library_of_a_stand() {
   PairedTake take = test::swinging_take("stands", 120, 1);

@@ -110,7 +110,7 @@ TEST(PartnerPlace, HalfStepsArriveWhereWholeStepsDo) {
   PartnerPlace whole(at(0, 0.3)), halves(at(0, 0.3));
   const RootFrame wanted = at(0.15, 0.5);
   for (int step = 0; step < 30; ++step) {
-    const RecordedMotion recorded{Vec3(0.48, 0, 0.24), 0};
+    const RecordedStep recorded{Vec3(0.48, 0, 0.24), 0};
     whole.advance(recorded, wanted, 2 * step_s, rate);
     for (int half = 0; half < 2; ++half) halves.advance(recorded, wanted, step_s, rate);
   }
