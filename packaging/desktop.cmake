@@ -1,6 +1,6 @@
 # What a desktop knows the workbench by: entry, icon, the type of session files, and the description for software centres.
 add_executable(draw_icon EXCLUDE_FROM_ALL icon/draw_icon.cpp)
-target_link_libraries(draw_icon PRIVATE abrazo_policy Qt5::Svg)
+target_link_libraries(draw_icon PRIVATE abrazo_policy Qt::Svg)
 
 set(drawing ${PROJECT_SOURCE_DIR}/resources/icons/abrazo.svg)
 set(words)

@@ -1,6 +1,7 @@
 #include "core/choreography/limb_ik.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

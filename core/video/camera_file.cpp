@@ -1,6 +1,7 @@
 #include "core/video/camera_file.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>

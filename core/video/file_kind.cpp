@@ -1,5 +1,6 @@
 #include "core/video/file_kind.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>

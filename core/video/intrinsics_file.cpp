@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 

@@ -1,7 +1,9 @@
 #include "core/video/video_decoder.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 

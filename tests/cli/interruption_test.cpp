@@ -1,5 +1,6 @@
 #include <chrono>
 #include <csignal>
+#include <memory>
 #include <thread>
 
 #include "tests/cli/command_line_fixture.hpp"

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <limits>
+#include <ostream>
 
 #include "core/stream/vmc/osc_packet.hpp"
 #include "tests/cli/live_fixture.hpp"

@@ -1,4 +1,5 @@
 #include <csignal>
+#include <thread>
 
 #include "core/stream/vmc/osc_packet.hpp"
 #include "tests/cli/live_fixture.hpp"

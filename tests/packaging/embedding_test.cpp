@@ -1,4 +1,5 @@
 #include <cmath>
+#include <sstream>
 
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/packaging/installed_files.hpp"

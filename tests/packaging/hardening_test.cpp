@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <string_view>
 
 #include "tests/cli/run_command.hpp"
 #include "tests/packaging/installed_files.hpp"

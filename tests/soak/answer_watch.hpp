@@ -3,6 +3,7 @@
 #include <pthread.h>
 
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>

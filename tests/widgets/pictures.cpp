@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QWidget>
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace abrazo::test {

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <set>
+
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"

@@ -1,5 +1,7 @@
 #include "tests/workbench/calibrated_video.hpp"
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 #include <QImage>
 #include <QPainter>

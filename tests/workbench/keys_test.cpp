@@ -1,5 +1,7 @@
 // Each key of the keymap, pressed in the whole window on the generated dance, by what it does. Keys of
 // labels: annotation_actions_test.
+#include <ostream>
+
 #include "app/workbench/solve/intended_move_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "tests/workbench/key_window.hpp"

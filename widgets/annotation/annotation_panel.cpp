@@ -13,7 +13,9 @@
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QToolButton>
+#include <algorithm>
 #include <functional>
+#include <tuple>
 #include <utility>
 
 #include "widgets/annotation/annotation_rows.hpp"

@@ -1,6 +1,7 @@
 #include "widgets/plots/plot_head.hpp"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

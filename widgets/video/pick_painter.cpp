@@ -1,5 +1,7 @@
 #include "widgets/video/pick_painter.hpp"
 
+#include <cmath>
+
 #include <QPainter>
 #include <QPainterPath>
 

@@ -1,5 +1,7 @@
 #include "app/workbench/keys/shortcut_dialog.hpp"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>

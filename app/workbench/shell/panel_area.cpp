@@ -6,6 +6,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/workbench/shell/dock_state.hpp"

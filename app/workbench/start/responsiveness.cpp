@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <chrono>
 #include <cmath>
+#include <stop_token>
 
 #include "app/workbench/document/document.hpp"
 

@@ -4,6 +4,7 @@
 #include <QString>
 #include <condition_variable>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 
 #include "app/workbench/start/answer_times.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_order.hpp"

@@ -10,6 +10,7 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <new>
 #include <set>

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>

@@ -1,5 +1,6 @@
 #include "core/motion/scenes/scene_answer.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <set>

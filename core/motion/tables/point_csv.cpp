@@ -1,5 +1,7 @@
 #include "core/motion/tables/point_csv.hpp"
 
+#include <algorithm>
+
 #include "core/base/text.hpp"
 #include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/point_csv_header.hpp"

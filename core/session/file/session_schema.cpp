@@ -1,6 +1,7 @@
 #include "core/session/file/session_schema.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string_view>
 #include <system_error>

@@ -1,6 +1,7 @@
 #include "core/session/frames/comparison_plan.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace abrazo {
 namespace {

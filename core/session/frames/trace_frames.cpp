@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <istream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_nesting.hpp"

@@ -83,7 +83,7 @@ class StretchWriter {
     const auto row = writer_->library_row();
     if (!row || row == library_row_ || !writer_->library()) return Done{};
     library_row_ = row;
-    const std::string& fingerprint = facts_.fingerprints->of(writer_->library()).get();
+    const std::string fingerprint = facts_.fingerprints->of(writer_->library()).get();
     // Without one a library is known by its number of pairs.
     return fingerprint.empty() ? Status(Done{}) : writer_->set_fingerprint(*row, fingerprint);
   }

@@ -1,5 +1,6 @@
 #include "core/stream/humanoid/humanoid_bones.hpp"
 
+#include <functional>
 #include <map>
 
 namespace abrazo {

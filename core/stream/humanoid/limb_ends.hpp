@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 #include "core/base/positions.hpp"
 
 namespace abrazo {

@@ -1,5 +1,6 @@
 #include "core/stream/receive/frame_assembly.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

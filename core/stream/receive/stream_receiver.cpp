@@ -2,6 +2,7 @@
 
 #include <map>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 
 #include "core/base/thread_urgency.hpp"

@@ -1,5 +1,6 @@
 #include "core/stream/xsens/xsens_encoder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,5 @@
+#include <cstdio>
+
 #include "core/annotation/label_keys.hpp"
 
 #include <gmock/gmock.h>

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 namespace abrazo::tiling_test {
 namespace {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/evaluation/run/library_data.hpp"
 
 #include <gtest/gtest.h>

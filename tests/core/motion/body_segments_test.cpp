@@ -1,3 +1,6 @@
+#include <stdexcept>
+#include <string>
+
 #include "core/motion/body/body_segments.hpp"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <tuple>
 
 #include "core/motion/body/body.hpp"
 #include "core/motion/files/import_clip.hpp"

@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "core/motion/joints/skeleton_map.hpp"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <stdexcept>
+#include <vector>
 
 #include "tests/support/dense_algebra.hpp"
 

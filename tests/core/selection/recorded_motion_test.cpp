@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/selection/recorded_motion.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "core/stream/receive/clip_source.hpp"
 
 #include <gtest/gtest.h>

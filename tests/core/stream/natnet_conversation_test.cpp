@@ -1,6 +1,7 @@
 // What the decoder asks a NatNet server, and whose answers it takes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/stream/receive/frame_order.hpp"
 #include "core/stream/receive/jitter_buffer.hpp"

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/synthesis/edit/capsule_contacts.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"

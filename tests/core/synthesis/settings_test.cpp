@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "core/synthesis/settings/settings_check.hpp"
 #include "tests/support/bodies.hpp"

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/synthesis/motion/transition.hpp"
 
 #include <gtest/gtest.h>

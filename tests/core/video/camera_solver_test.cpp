@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <numbers>
 #include <opencv2/imgproc.hpp>

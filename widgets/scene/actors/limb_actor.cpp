@@ -10,6 +10,7 @@
 #include <vtkRenderer.h>
 
 #include <QColor>
+#include <algorithm>
 #include <optional>
 #include <vector>
 
