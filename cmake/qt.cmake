@@ -9,6 +9,8 @@ if(QT_VERSION VERSION_LESS 5.15)
   message(FATAL_ERROR "The workbench needs Qt 5.15 or newer; this is Qt ${QT_VERSION}")
 endif()
 if(VTK_QT_VERSION EQUAL 6)
+  # What Qt 6 has new names for, while Qt 5.15 has only the old ones, is no warning.
+  add_compile_definitions(QT_WARN_DEPRECATED_UP_TO=0x050F00)
   find_package(Qt6 REQUIRED COMPONENTS OpenGL)
   set(abrazo_qt_opengl Qt::OpenGL)  # a part of Qt::Gui in Qt 5
   find_library(QCUSTOMPLOT_LIBRARY NAMES QCustomPlotQt6 qcustomplot-qt6 REQUIRED)
