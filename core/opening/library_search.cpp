@@ -1,6 +1,7 @@
 #include "core/opening/library_search.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

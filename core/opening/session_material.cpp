@@ -1,6 +1,7 @@
 #include "core/opening/session_material.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "core/evaluation/run/evaluation_source.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "core/library/build/motion_library_builder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,7 @@
 #include "core/library/store/takes_of_library.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>

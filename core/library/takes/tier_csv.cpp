@@ -1,6 +1,7 @@
 #include "core/library/takes/tier_csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

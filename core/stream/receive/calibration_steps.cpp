@@ -1,6 +1,7 @@
 #include "core/stream/receive/calibration_steps.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
