@@ -105,7 +105,7 @@ void GapFiller::remove_unseen() {
     const int parent = motion_.parents[static_cast<std::size_t>(p)];
     smaller.parents.push_back(parent < 0 ? -1 : place[static_cast<std::size_t>(parent)]);
   }
-  for (Positions& frame : smaller.frames) frame = frame(kept, Eigen::all).eval();
+  for (Positions& frame : smaller.frames) frame = frame(kept, Eigen::seqN(0, Eigen::fix<3>)).eval();
   smaller.warnings.push_back({"never-seen", 0, some_of(unseen) + ": never seen, left out"});
   motion_ = std::move(smaller);
 }

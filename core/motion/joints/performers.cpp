@@ -55,7 +55,8 @@ NamedMotion part_of(const NamedMotion& whole, const std::string& beginning, cons
     part.parents.push_back(parent < 0 ? -1 : place[static_cast<std::size_t>(parent)]);
   }
   part.frames.reserve(whole.frames.size());
-  for (const Positions& frame : whole.frames) part.frames.emplace_back(frame(points, Eigen::all));
+  for (const Positions& frame : whole.frames)
+    part.frames.emplace_back(frame(points, Eigen::seqN(0, Eigen::fix<3>)));
   return part;
 }
 
