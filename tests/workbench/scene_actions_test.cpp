@@ -287,12 +287,13 @@ TEST_F(SceneKeys, TheFilterCoversNoPairAndEscapeClosesItAndKeepsTheSelection) {
   QWidget* popup = QApplication::activePopupWidget();
   ASSERT_TRUE(popup);
   const QWidget* legend = scene().findChild<widgets::ScalarLegend*>();
-  const QRect shown(popup->mapToGlobal({0, 0}), popup->size());
-  EXPECT_FALSE(shown.intersects({legend->mapToGlobal({0, 0}), legend->size()}));
+  const QRect shown(popup->mapToGlobal(QPoint(0, 0)), popup->size());
+  EXPECT_FALSE(shown.intersects({legend->mapToGlobal(QPoint(0, 0)), legend->size()}));
   const int third = scene().width() / 3;
   const QRect middle(scene().mapToGlobal(QPoint(third, 0)), QSize(third, scene().height()));
   EXPECT_FALSE(shown.intersects(middle)) << "the pair that is filtered stays in view";
-  EXPECT_FALSE(shown.intersects({window().candidates().mapToGlobal({0, 0}), window().candidates().size()}));
+  EXPECT_FALSE(
+      shown.intersects({window().candidates().mapToGlobal(QPoint(0, 0)), window().candidates().size()}));
   QTest::keyClick(popup, Qt::Key_Escape);
   turn();
   EXPECT_FALSE(popup->isVisible());

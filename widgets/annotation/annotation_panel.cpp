@@ -204,7 +204,7 @@ void AnnotationPanel::showSubjects(const QStringList& subjects, const QStringLis
   QStringList texts = QStringList("the session") + subjects;
   for (const QString& take : absent) texts << take + " (not in the library)";
   const QStringList names = QStringList(QString()) + subjects + absent;
-  const int at = std::max(0, names.indexOf(shown));
+  const int at = std::max(0, static_cast<int>(names.indexOf(shown)));
   if (this->subjects() == texts && m_subject->currentIndex() == at) return;
   m_subject->clear();
   for (int i = 0; i < texts.size(); ++i) m_subject->addItem(texts[i], names[i]);

@@ -18,6 +18,8 @@ class QTableWidgetItem;
 class QToolButton;
 class QVBoxLayout;
 
+Q_DECLARE_METATYPE(abrazo::Conflict)
+
 namespace abrazo::widgets {
 
 class ProblemList;
@@ -100,5 +102,3 @@ class AnnotationPanel : public QWidget {
 };
 
 }  // namespace abrazo::widgets
-
-Q_DECLARE_METATYPE(abrazo::Conflict)

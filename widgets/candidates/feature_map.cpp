@@ -9,6 +9,7 @@
 
 #include "core/base/thread_urgency.hpp"
 #include "widgets/candidates/pin_mark.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
@@ -179,7 +180,8 @@ void FeatureMap::paintPath(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   for (std::size_t i = 0; i < m_path.size(); ++i) {
     QColor colour = m_palette.user;
-    colour.setAlphaF(0.15 + 0.75 * static_cast<double>(i + 1) / static_cast<double>(m_path.size()));
+    colour.setAlphaF(
+        colour_part(0.15 + 0.75 * static_cast<double>(i + 1) / static_cast<double>(m_path.size())));
     painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(at(m_path[i]), i + 1 < m_path.size() ? at(m_path[i + 1]) : now);
   }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/text.hpp"
+#include "widgets/common/qt_versions.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -82,7 +83,7 @@ QColor take_colour(const Palette& palette, int take) {
 }
 
 QColor mixed(const QColor& top, const QColor& bottom, double share) {
-  const auto blend = [share](double a, double b) { return share * a + (1 - share) * b; };
+  const auto blend = [share](double a, double b) { return colour_part(share * a + (1 - share) * b); };
   return QColor::fromRgbF(blend(top.redF(), bottom.redF()), blend(top.greenF(), bottom.greenF()),
                           blend(top.blueF(), bottom.blueF()));
 }

@@ -4,6 +4,8 @@
 
 #include "widgets/common/selection.hpp"
 
+Q_DECLARE_METATYPE(abrazo::widgets::Selection)
+
 namespace abrazo::widgets {
 
 /// The one selection shared by all views. A view requests a selection and shows the model's; no view keeps
@@ -35,5 +37,3 @@ inline SelectionChange selection_change(Qt::KeyboardModifiers keys) {
 }
 
 }  // namespace abrazo::widgets
-
-Q_DECLARE_METATYPE(abrazo::widgets::Selection)

@@ -18,6 +18,8 @@ static void load_resources() {
   Q_INIT_RESOURCE(resources);
 }
 
+#include "widgets/common/qt_versions.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
@@ -158,7 +160,7 @@ class LatePolish : public QObject {
   void putOff() {
     m_waiting.clear();
     for (QWidget* widget : QApplication::allWidgets()) {
-      if (widget->windowType() == Qt::Desktop) continue;
+      if (is_desktop(*widget)) continue;
       widget->setAttribute(Qt::WA_WState_Polished, false);
       if (!widget->isVisible()) continue;
       m_waiting.emplace_back(widget);
@@ -211,7 +213,7 @@ QPointer<LatePolish> late_polish;
 
 }  // namespace
 
-QFont interface_font(int pixel_size, int weight) {
+QFont interface_font(int pixel_size, QFont::Weight weight) {
   static const bool has_inter = QFontDatabase().families().contains("Inter");
   QFont font = has_inter ? QFont("Inter") : QFontDatabase::systemFont(QFontDatabase::GeneralFont);
   font.setPixelSize(pixel_size);

@@ -10,7 +10,7 @@ class QApplication;
 namespace abrazo::widgets {
 
 /// Inter if installed, else the system's sans-serif.
-QFont interface_font(int pixel_size = 13, int weight = QFont::Normal);
+QFont interface_font(int pixel_size = 13, QFont::Weight weight = QFont::Normal);
 
 /// The style sheet of all standard widgets in these colours.
 QString style_sheet(const Palette& palette);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/qt_versions.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
@@ -81,7 +83,7 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   painter.drawRect(QRectF(xOf(m_default) - 0.5, y + 7, 1, 4));
   if (hasFocus()) {
     QColor halo = filled;
-    halo.setAlphaF(0.35);
+    halo.setAlphaF(colour_part(0.35));
     painter.setBrush(halo);
     painter.drawEllipse(QPointF(xOf(m_place), y), handle_radius + 1.5, handle_radius + 1.5);
   }

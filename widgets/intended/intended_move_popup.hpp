@@ -11,6 +11,9 @@ class QComboBox;
 class QLabel;
 class QListWidget;
 
+Q_DECLARE_METATYPE(abrazo::widgets::IntendedMoveChoice)
+Q_DECLARE_METATYPE(abrazo::widgets::IntendedMoveSpan)
+
 namespace abrazo::widgets {
 
 /// Pop-up list of the moves and takes that may be intended, nearest first. A click, Return or a digit
@@ -49,6 +52,3 @@ class IntendedMovePopup : public QFrame {
 };
 
 }  // namespace abrazo::widgets
-
-Q_DECLARE_METATYPE(abrazo::widgets::IntendedMoveChoice)
-Q_DECLARE_METATYPE(abrazo::widgets::IntendedMoveSpan)

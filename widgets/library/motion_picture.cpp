@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/motion/body/joint_set.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
 
@@ -94,7 +95,7 @@ void MotionPicture::paintGround(QPainter& painter) const {
   const double reach = grid_lines * step;
   for (int line = -grid_lines; line <= grid_lines; ++line) {
     QColor colour = m_palette.grid;
-    colour.setAlphaF(colour.alphaF() * (1 - 0.8 * std::abs(line) / grid_lines));
+    colour.setAlphaF(colour_part(double{colour.alphaF()} * (1 - 0.8 * std::abs(line) / grid_lines)));
     painter.setPen(QPen(colour, 1));
     const double off = line * step;
     painter.drawLine(project({x - reach, m_space.ground, z + off}),

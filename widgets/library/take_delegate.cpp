@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/library/take_model.hpp"
@@ -165,7 +166,7 @@ void TakeDelegate::paintBelief(QPainter& painter, const QRect& strip, int take) 
   QImage band(TakeBelief::parts, 1, QImage::Format_ARGB32_Premultiplied);
   for (int part = 0; part < TakeBelief::parts; ++part) {
     QColor here = colour;
-    here.setAlphaF(light[static_cast<std::size_t>(part)] / double{TakeBelief::levels});
+    here.setAlphaF(colour_part(light[static_cast<std::size_t>(part)] / double{TakeBelief::levels}));
     band.setPixelColor(part, 0, here);
   }
   const QRect place(strip.left(), strip.bottom() + belief_top, strip.width(), belief_height);

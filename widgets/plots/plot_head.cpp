@@ -69,7 +69,7 @@ double paint_key(QPainter& painter, const QRectF& place, double x, const PlotHea
 /// Cut where there is no room, but never the unit at its end: without it the numbers say nothing.
 QString fitting_title(const QString& title, const QFont& font, double room) {
   const QFontMetricsF metrics(font);
-  const int unit_at = title.lastIndexOf(" [");
+  const auto unit_at = title.lastIndexOf(" [");
   const QString unit = unit_at < 0 ? QString() : title.mid(unit_at);
   const QString name = unit_at < 0 ? title : title.left(unit_at);
   return metrics.elidedText(name, Qt::ElideRight, room - metrics.horizontalAdvance(unit)) + unit;

@@ -227,7 +227,7 @@ void SettingRow::showTitle() {
     return m_title->sizeHint().width() <= m_title->width();
   };
   if (fits(title, " · no effect now") || fits(title, " · no effect")) return;
-  for (int kept = title.size() - 2; kept > least_letters; --kept)
+  for (auto kept = title.size() - 2; kept > least_letters; --kept)
     if (fits(title.left(kept).trimmed() + "\u2026", " · no effect")) return;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/typeset.hpp"
@@ -23,7 +24,7 @@ constexpr double left_margin = 76, right_margin = 16, top_margin = 14, name_heig
 
 QColor colour_at(double fraction) {
   const auto [red, green, blue] = sweep_colour(fraction);
-  return QColor::fromRgbF(red, green, blue);
+  return QColor::fromRgbF(colour_part(red), colour_part(green), colour_part(blue));
 }
 
 QColor ink_on(const QColor& colour) {

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
@@ -36,7 +37,7 @@ void Countdown::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor ground = m_palette.window;
-  ground.setAlphaF(0.82F);
+  ground.setAlphaF(colour_part(0.82));
   painter.setBrush(ground);
   painter.setPen(QPen(m_palette.live, 6));
   painter.drawEllipse(QRectF(rect()).adjusted(4, 4, -4, -4));

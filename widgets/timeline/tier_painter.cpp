@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/session/frames/time_place.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -45,7 +46,7 @@ class TierPainting {
       if (!tier || !shows(lane)) continue;
       const double top = c.lanes.top_of_tier(tier->id);
       QColor ground = colours.raised;
-      ground.setAlphaF(tier->id == tiers.active_tier ? 0.55 : 0.28);
+      ground.setAlphaF(colour_part(tier->id == tiers.active_tier ? 0.55 : 0.28));
       p.fillRect(QRectF(axis.left_px, top + 2, axis.width_px, TimelineLanes::tier_px - 4), ground);
       for (const Suggestion& suggestion : tiers.shown().suggestions())
         if (suggestion.tier == tier->id) suggested(*tier, suggestion);
@@ -113,7 +114,7 @@ class TierPainting {
     const QRectF area = block(tier.id, suggestion.start_s, suggestion.end_s).adjusted(1, 1, -1, -1);
     const QColor ink = value_colour(colours, tier, suggestion.value);
     QColor hatch = ink;
-    hatch.setAlphaF(0.45);
+    hatch.setAlphaF(colour_part(0.45));
     p.fillRect(area, QBrush(hatch, Qt::BDiagPattern));
     const bool chosen = suggestion.id == tiers.suggestion;
     p.setPen(QPen(chosen ? (colours.dark ? QColor(Qt::white) : colours.text) : ink, chosen ? 1.6 : 1,
@@ -145,7 +146,7 @@ class TierPainting {
     const QRectF area = block(tier.id, tiers.dragged.from_s, tiers.dragged.to_s);
     const QColor ink = refused ? colours.live : colours.dark ? QColor(Qt::white) : colours.text;
     QColor fill = ink;
-    fill.setAlphaF(0.18);
+    fill.setAlphaF(colour_part(0.18));
     p.fillRect(area, fill);
     p.setPen(QPen(ink, 1.2, refused ? Qt::DashLine : Qt::SolidLine));
     p.setBrush(Qt::NoBrush);

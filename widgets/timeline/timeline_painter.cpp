@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -238,9 +239,9 @@ class Painting {
     const double in = axis.x(between->from_s), out = axis.x(between->to_s);
     const QRectF whole(in, 0, out - in, TimelineLanes::ruler_px);
     QColor shade = colours.accent;
-    shade.setAlphaF(c.playback.loop ? 0.42 : 0.28);
+    shade.setAlphaF(colour_part(c.playback.loop ? 0.42 : 0.28));
     p.fillRect(whole & QRectF(axis.left_px, 0, axis.width_px, TimelineLanes::ruler_px), shade);
-    shade.setAlphaF(0.07);
+    shade.setAlphaF(colour_part(0.07));
     p.fillRect(QRectF(in, c.lanes.top_px(), out - in, c.lanes.bottom_px() - c.lanes.top_px()) & lanes_area(),
                shade);
     for (const double x : {in, out}) {
@@ -280,7 +281,7 @@ class Painting {
     const double begin = std::max(axis.x(c.playback.first_s), axis.left_px);
     if (end - begin < 1) return;
     QColor shade = colours.secondary;
-    shade.setAlphaF(0.10F);
+    shade.setAlphaF(colour_part(0.10));
     p.fillRect(QRectF(begin, 0, end - begin, TimelineLanes::ruler_px), shade);
     p.fillRect(QRectF(begin, TimelineLanes::ruler_px - 1, end - begin, 1.5),
                mixed(colours.secondary, colours.panel, 0.7));
@@ -318,7 +319,7 @@ class Painting {
       const bool chosen = marker.id == c.selected_marker;
       const QColor ink = chosen ? mixed(colours.accent, colours.text, 0.6) : colours.secondary;
       QColor line = ink;
-      line.setAlphaF(chosen ? 0.9 : 0.4);
+      line.setAlphaF(colour_part(chosen ? 0.9 : 0.4));
       p.fillRect(QRectF(x, TimelineLanes::ruler_px, 1, c.lanes.bottom_px() - TimelineLanes::ruler_px), line);
       p.setRenderHint(QPainter::Antialiasing);
       p.setPen(Qt::NoPen);
@@ -393,7 +394,7 @@ void paint_timeline_overview(QPainter& painter, const TimelineContent& content, 
   painter.setClipRect(bar.adjusted(0, -1, 1, 1));
   if (const auto range = content.playback.range()) {
     QColor shade = colours.accent;
-    shade.setAlphaF(0.45);
+    shade.setAlphaF(colour_part(0.45));
     painter.fillRect(QRectF(whole.x(range->from_s), bar.top(), whole.x(range->to_s) - whole.x(range->from_s),
                             bar.height()),
                      shade);

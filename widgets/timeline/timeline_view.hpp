@@ -11,6 +11,9 @@
 
 class QScrollBar;
 
+Q_DECLARE_METATYPE(abrazo::Annotations)
+Q_DECLARE_METATYPE(abrazo::Markers)
+
 namespace abrazo::widgets {
 
 /// The lanes below the transport, with one white cursor through all. Does not move cursor, range or markers
@@ -152,6 +155,3 @@ class TimelineView : public QWidget {
 };
 
 }  // namespace abrazo::widgets
-
-Q_DECLARE_METATYPE(abrazo::Annotations)
-Q_DECLARE_METATYPE(abrazo::Markers)

@@ -18,6 +18,7 @@
 
 #include "app/workbench/base/dialog_size.hpp"
 #include "widgets/common/parts.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/theme.hpp"
 
 /// Outside any namespace, as Qt asks for resources in a library.
@@ -98,7 +99,7 @@ class HelpPage : public QTextBrowser {
   /// By default every cell has a bright frame of its own.
   void dressTables() {
     QColor line = palette().color(QPalette::Text);
-    line.setAlphaF(0.2);
+    line.setAlphaF(widgets::colour_part(0.2));
     for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
       auto* table = qobject_cast<QTextTable*>(frame);
       if (!table) continue;

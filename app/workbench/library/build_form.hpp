@@ -8,6 +8,8 @@
 class QComboBox;
 class QSpinBox;
 
+Q_DECLARE_METATYPE(abrazo::Manifest::Performer)
+
 namespace abrazo::app {
 
 /// Form for the chosen performers. Applies changes immediately; requests reading the file again if necessary.
@@ -40,5 +42,3 @@ class BuildForm : public QWidget {
 };
 
 }  // namespace abrazo::app
-
-Q_DECLARE_METATYPE(abrazo::Manifest::Performer)

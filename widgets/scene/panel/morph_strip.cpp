@@ -7,6 +7,7 @@
 
 #include "widgets/common/icons.hpp"
 #include "widgets/common/parts.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 
 namespace abrazo::widgets {
@@ -62,7 +63,7 @@ void MorphStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor back = m_palette.panel;
-  back.setAlphaF(0.94);
+  back.setAlphaF(colour_part(0.94));
   painter.setBrush(back);
   painter.setPen(m_palette.border);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);

@@ -12,6 +12,7 @@
 
 #include "widgets/common/entry_frame.hpp"
 #include "widgets/common/icons.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -128,9 +129,8 @@ ScalarLegend::ScalarLegend(QWidget* parent)
     dressButtons();
     emit lockToggled(locked);
   });
-  connect(m_more, &QToolButton::clicked, this, [this] {
-    showMenu(m_more->mapToGlobal({0, m_more->height()}));
-  });
+  connect(m_more, &QToolButton::clicked, this,
+          [this] { showMenu(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
   setColours(palette_of(Theme::Dark));
   m_lock->hide();  // there is no scale before the first frame
   m_more->hide();
@@ -231,7 +231,7 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   // Over a body the words would have little contrast.
   QColor ground = m_palette.scene_top;
-  ground.setAlphaF(ground_share);
+  ground.setAlphaF(colour_part(ground_share));
   painter.setBrush(ground);
   painter.setPen(Qt::NoPen);
   painter.drawRoundedRect(rect(), 6, 6);

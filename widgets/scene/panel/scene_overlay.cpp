@@ -66,8 +66,8 @@ void ScalarChips::openFilter() {
   m_options->adjustSize();
   const QWidget& scene = *parentWidget();
   const QRect desk = screen()->availableGeometry();
-  const QPoint below = mapToGlobal({0, height() + 4});
-  const int third = scene.mapToGlobal({scene.width() / 3, 0}).x();
+  const QPoint below = mapToGlobal(QPoint(0, height() + 4));
+  const int third = scene.mapToGlobal(QPoint(scene.width() / 3, 0)).x();
   m_options->move(std::max(desk.left(), std::min(below.x(), third - m_options->width())),
                   std::max(desk.top(), std::min(below.y(), desk.bottom() - m_options->height())));
   m_options->show();

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -86,7 +87,7 @@ void PickCard::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor back = m_palette.panel;
-  back.setAlphaF(0.94);
+  back.setAlphaF(colour_part(0.94));
   painter.setBrush(back);
   painter.setPen(m_palette.border);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
