@@ -3,6 +3,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/project/autosave.hpp"
@@ -46,15 +47,19 @@ bool is_autosave(const MainWindow& window, const QString& file) {
   return QFileInfo(file).absolutePath() == QFileInfo(window.remembered().autosaveFolder()).absoluteFilePath();
 }
 
-/// What does not go to the trash is deleted for good.
-bool may_discard(MainWindow& window, const widgets::LeftoverSession& session) {
-  if (!is_history(window, session.file) && !is_autosave(window, session.file)) return true;
+bool may_delete(MainWindow& window, const QString& words) {
   QMessageBox box(QMessageBox::Question, "Abrazo", "Delete this for good?", QMessageBox::Cancel, &window);
-  box.setInformativeText(session.words + ". It cannot be brought back. Open makes it a session.");
+  box.setInformativeText(words);
   const QAbstractButton* sure = box.addButton("Delete", QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == sure;
+}
+
+/// What does not go to the trash is deleted for good.
+bool may_discard(MainWindow& window, const widgets::LeftoverSession& session) {
+  if (!is_history(window, session.file) && !is_autosave(window, session.file)) return true;
+  return may_delete(window, session.words + ". It cannot be brought back. Open makes it a session.");
 }
 
 void discard(MainWindow& window, const QString& file) {
@@ -66,8 +71,9 @@ void discard(MainWindow& window, const QString& file) {
     Autosave::remove(file);
     return window.messages().showInformation("The changes that were not saved were discarded");
   }
-  discard_session(file) ? window.messages().showInformation(file + " was discarded")
-                        : window.messages().showError(file + ": cannot be removed; check its owner");
+  const Status discarded = discard_session(file);
+  discarded ? window.messages().showInformation(file + " was moved to the trash")
+            : window.messages().showError(words(discarded.error()));
 }
 
 }  // namespace
