@@ -47,19 +47,15 @@ bool is_autosave(const MainWindow& window, const QString& file) {
   return QFileInfo(file).absolutePath() == QFileInfo(window.remembered().autosaveFolder()).absoluteFilePath();
 }
 
-bool may_delete(MainWindow& window, const QString& words) {
+/// What does not go to the trash is deleted for good.
+bool may_discard(MainWindow& window, const widgets::LeftoverSession& session) {
+  if (!is_history(window, session.file) && !is_autosave(window, session.file)) return true;
   QMessageBox box(QMessageBox::Question, "Abrazo", "Delete this for good?", QMessageBox::Cancel, &window);
-  box.setInformativeText(words);
+  box.setInformativeText(session.words + ". It cannot be brought back. Open makes it a session.");
   const QAbstractButton* sure = box.addButton("Delete", QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == sure;
-}
-
-/// What does not go to the trash is deleted for good.
-bool may_discard(MainWindow& window, const widgets::LeftoverSession& session) {
-  if (!is_history(window, session.file) && !is_autosave(window, session.file)) return true;
-  return may_delete(window, session.words + ". It cannot be brought back. Open makes it a session.");
 }
 
 void discard(MainWindow& window, const QString& file) {
