@@ -27,16 +27,6 @@ std::string_view state_text(FoundData::State state) {
   return texts[static_cast<std::size_t>(state)];
 }
 
-/// Effect of a migration; empty if there is nothing to do.
-std::string migration_text(int version) {
-  if (version >= session_schema_version) return {};
-  return fmt::format(
-      "'abrazo session migrate', and the first recording or saving into it, bring it to version {}: tables "
-      "for "
-      "the project are added, noted intervals become annotations; nothing that was recorded changes",
-      session_schema_version);
-}
-
 std::size_t count_of(const Annotations& annotations) {
   std::size_t count = 0;
   for (const AnnotationTier& tier : annotations.tiers()) count += tier.annotations.size();
@@ -53,10 +43,8 @@ std::string as_text(const OpenedSession& session) {
   const Project& project = reading.project;
   TextLines text;
   text.add("{}", session.project->file);
-  text.add("  version    {}{}", reading.version,
+  text.add("  version    {}{}", session_schema_version,
            session.recording.is_being_recorded ? ", is being recorded" : "");
-  if (const std::string migration = migration_text(reading.version); !migration.empty())
-    text.add("  migration  {}", migration);
   text.add("  saved      {}", reading.is_saved ? reading.saved_at : "never as a project");
   text.add("  recorded   {} frames, {:.3f} s, in {} part(s)", contents.frames,
            contents.last_s - contents.first_s, contents.runs.size());
@@ -139,9 +127,7 @@ std::string as_json(const OpenedSession& session) {
   const SessionContents& contents = session.recording.contents;
   const ProjectReading& reading = session.project->reading;
   JsonText json;
-  json.begin_object().key("version").value(reading.version);
-  json.key("newest_version").value(static_cast<long long>(session_schema_version));
-  json.key("migration").value(migration_text(reading.version));
+  json.begin_object().key("version").value(static_cast<long long>(session_schema_version));
   json.key("saved_at").value(reading.saved_at);
   json.key("is_being_recorded").value(session.recording.is_being_recorded);
   json.key("recordings").value(static_cast<long long>(contents.runs.size()));
@@ -167,19 +153,10 @@ void run_info(CommandLine& line, const SessionInfoArguments& arguments) {
     answer(line, as_text(*session));
 }
 
-void run_migrate(CommandLine& line, const std::string& session) {
-  const auto version = migrate_session(session);
-  if (!version) return fail(line, version.error());
-  answer(line,
-         *version == session_schema_version
-             ? fmt::format("{}: is of version {} already\n", session, *version)
-             : fmt::format("{}: version {} is now version {}\n", session, *version, session_schema_version));
-}
-
 }  // namespace
 
 void add_session_command(CommandLine& line) {
-  CLI::App* session = line.app.add_subcommand("session", "show session files, and migrate old ones");
+  CLI::App* session = line.app.add_subcommand("session", "show session files");
   session->require_subcommand(1);
   CLI::App* info = session->add_subcommand(
       "info", "version, recordings, takes, annotations, and the referenced files with their paths");
@@ -187,11 +164,6 @@ void add_session_command(CommandLine& line) {
   info->add_option("session", arguments->session, "session file")->required()->type_name("S.abrazo");
   info->add_flag("--json", arguments->json, "as one JSON object on stdout");
   info->callback([&line, arguments] { run_info(line, *arguments); });
-  CLI::App* migrate =
-      session->add_subcommand("migrate", "migrates a session file to this version, completely or not at all");
-  const auto path = std::make_shared<std::string>();
-  migrate->add_option("session", *path, "session file")->required()->type_name("S.abrazo");
-  migrate->callback([&line, path] { run_migrate(line, *path); });
 }
 
 }  // namespace abrazo::app

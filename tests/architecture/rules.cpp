@@ -511,4 +511,63 @@ Violations at_most_lines(std::span<const SourceFile> files, std::string_view pre
   return found;
 }
 
+Violations top_level_is_known(std::span<const std::string> names, const SourceFile& ignored) {
+  static const std::set<std::string, std::less<>> known = {".ci",
+                                                           ".clang-format",
+                                                           ".clang-tidy",
+                                                           ".editorconfig",
+                                                           ".git",
+                                                           ".gitattributes",
+                                                           ".gitignore",
+                                                           "CHANGELOG.md",
+                                                           "CITATION.cff",
+                                                           "CMakeLists.txt",
+                                                           "CMakePresets.json",
+                                                           "CONTRIBUTING.md",
+                                                           "LICENSE",
+                                                           "README.md",
+                                                           "SECURITY.md",
+                                                           "app",
+                                                           "cmake",
+                                                           "core",
+                                                           "data",
+                                                           "docs",
+                                                           "examples",
+                                                           "package-lock.json",
+                                                           "package.json",
+                                                           "packaging",
+                                                           "pages",
+                                                           "pyproject.toml",
+                                                           "resources",
+                                                           "run",
+                                                           "test",
+                                                           "tests",
+                                                           "widgets"};
+  const auto is_ignored = [&](std::string_view name) {
+    return std::ranges::any_of(ignored.lines, [&](std::string_view rule) {
+      if (rule.starts_with('*')) return name.ends_with(rule.substr(1));
+      if (rule.starts_with('/')) rule.remove_prefix(1);
+      if (rule.ends_with('/')) rule.remove_suffix(1);
+      return !rule.empty() && name == rule;
+    });
+  };
+  Violations found;
+  for (const std::string& name : names)
+    if (!known.contains(name) && !is_ignored(name))
+      found.push_back(name + " at the top level is not in the list of tests/architecture/rules.cpp");
+  return found;
+}
+
+Violations corpora_are_small(std::span<const std::string> paths) {
+  constexpr int most = 12;
+  std::map<std::string, int> count;
+  for (const std::string& path : paths) ++count[path.substr(0, path.rfind('/'))];
+  Violations found;
+  for (const auto& [folder, n] : count)
+    if (n > most)
+      found.push_back(folder + " has " + std::to_string(n) + " seeds; at most " + std::to_string(most) +
+                      ", chosen by tests/fuzz/keep");
+  return found;
+}
+
 }  // namespace abrazo::test

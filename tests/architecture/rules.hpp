@@ -60,4 +60,12 @@ Violations signals_are_of_their_own_object(std::span<const SourceFile> files);
 Violations at_most_lines(std::span<const SourceFile> files, std::string_view prefix, int most,
                          std::string_view ending = {});
 
+/// At the top level are the files and folders of a list, and what git ignores.
+/// @param names  of what is at the top level
+/// @param ignored  .gitignore
+Violations top_level_is_known(std::span<const std::string> names, const SourceFile& ignored);
+/// A corpus has few, chosen seeds; fuzzing grows it in the build folder.
+/// @param paths  of the files in the folders of tests/fuzz/corpus
+Violations corpora_are_small(std::span<const std::string> paths);
+
 }  // namespace abrazo::test

@@ -290,6 +290,25 @@ TEST(ArchitectureRules, CatchFilesThatGrewTooLong) {
   EXPECT_THAT(at_most_lines(one("app/a/b_desk.cpp", "1\n2\n3\n"), "app/", 2, "_actions.cpp"), IsEmpty());
 }
 
+TEST(ArchitectureRules, CatchAnUnknownFileOrFolderAtTheTopLevel) {
+  const SourceFile ignored = source_file(".gitignore", "/build/\n/out/\n*~\n");
+  EXPECT_THAT(top_level_is_known(std::vector<std::string>{"files", "core", "a.log"}, ignored),
+              ElementsAre(StartsWith("files at the top level"), StartsWith("a.log at the top level")));
+  EXPECT_THAT(top_level_is_known(std::vector<std::string>{".git", "build", "out", "README.md~"}, ignored),
+              IsEmpty());
+  EXPECT_THAT(top_level_is_known(std::vector<std::string>{"build"}, source_file(".gitignore", "\n")),
+              SizeIs(1));
+}
+
+TEST(ArchitectureRules, CatchACorpusThatGrew) {
+  std::vector<std::string> paths;
+  for (int i = 0; i < 12; ++i) paths.push_back("tests/fuzz/corpus/bvh/" + std::to_string(i));
+  paths.push_back("tests/fuzz/corpus/trc/0");
+  EXPECT_THAT(corpora_are_small(paths), IsEmpty());
+  paths.push_back("tests/fuzz/corpus/bvh/12");
+  EXPECT_THAT(corpora_are_small(paths), ElementsAre(StartsWith("tests/fuzz/corpus/bvh has 13 seeds")));
+}
+
 TEST(ArchitectureRules, CatchAHeaderWithoutPragmaOnce) {
   EXPECT_THAT(headers_have_pragma_once(one("core/a.hpp", "#include <vector>\n")), SizeIs(1));
   EXPECT_THAT(headers_have_pragma_once(one("core/a.hpp", "")), SizeIs(1));

@@ -72,7 +72,8 @@ std::vector<DocumentLink> links_of(const SourceFile& document) {
 std::vector<SourceFile> read_source_tree(const fs::path& root) {
   std::vector<SourceFile> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
-    if (entry.is_regular_file()) add_if_text(files, root, entry.path());
+    const bool is_of_git = entry.path().filename() == ".git";  // a file in a further working tree
+    if (entry.is_regular_file() && !is_of_git) add_if_text(files, root, entry.path());
   }
   for (const char* folder : folders) {
     if (!fs::exists(root / folder)) continue;

@@ -108,6 +108,25 @@ TEST(Architecture, NoFileNamesAPathOfOneMachine) {
   EXPECT_TRUE(holds(no_path_of_a_machine(tree())));
 }
 
+TEST(Architecture, NothingUnknownIsAtTheTopLevel) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(ABRAZO_SOURCE_DIR))
+    names.push_back(entry.path().filename().string());
+  const auto ignored =
+      std::ranges::find(tree(), ".gitignore", [](const SourceFile& file) { return file.path; });
+  EXPECT_TRUE(
+      holds(top_level_is_known(names, ignored == tree().end() ? source_file(".gitignore", "") : *ignored)));
+}
+
+TEST(Architecture, CorporaOfFuzzTargetsAreSmall) {
+  const std::filesystem::path root = ABRAZO_SOURCE_DIR;
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "tests/fuzz/corpus"))
+    if (entry.is_regular_file()) paths.push_back(entry.path().lexically_relative(root).generic_string());
+  EXPECT_GT(paths.size(), 100U);
+  EXPECT_TRUE(holds(corpora_are_small(paths)));
+}
+
 TEST(Architecture, TheOverviewStaysShort) {
   EXPECT_TRUE(holds(at_most_lines(tree(), "docs/architecture.md", 150)));
 }

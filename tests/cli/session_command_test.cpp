@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "core/session/file/project.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 
@@ -7,34 +5,8 @@ namespace abrazo::test::session_command_test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
-class SessionCommand : public CommandLineTest {
- protected:
-  void old_session(const std::string& name) {
-    std::filesystem::copy_file(std::string(ABRAZO_FIXTURES) + "/session/version_1.abrazo", path(name));
-  }
-};
-
-TEST_F(SessionCommand, TellsWhatAnOldFileHasAndWhatMigrationWillDo) {
-  old_session("old.abrazo");
-  const Outcome outcome = run("session info old.abrazo");
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("version    1"));
-  EXPECT_THAT(outcome.out, HasSubstr("bring it to version 2"));
-  EXPECT_THAT(outcome.out, HasSubstr("recorded   4 frames"));
-  EXPECT_THAT(outcome.out, HasSubstr("take       salsa 3"));
-  EXPECT_THAT(outcome.out, HasSubstr("annotated  the session: 3 in 3 tiers"));
-}
-
-TEST_F(SessionCommand, MigratesAnOldFileOnce) {
-  old_session("old.abrazo");
-  const Outcome outcome = run("session migrate old.abrazo");
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "old.abrazo: version 1 is now version 2\n");
-  EXPECT_EQ(run("session migrate old.abrazo").out, "old.abrazo: is of version 2 already\n");
-  EXPECT_THAT(run("session info old.abrazo").out, Not(HasSubstr("migration")));
-}
+using SessionCommand = CommandLineTest;
 
 TEST_F(SessionCommand, TellsWhereTheDataIsAndWhatIsMissing) {
   write("lib.h5", "pairs");
@@ -47,12 +19,12 @@ TEST_F(SessionCommand, TellsWhereTheDataIsAndWhatIsMissing) {
   ASSERT_TRUE(save_project(path("s.abrazo"), project));
   write("lib.h5", "other");
   const auto told = nlohmann::json::parse(run("session info s.abrazo --json").out);
-  EXPECT_EQ(told["version"], 2);
-  EXPECT_EQ(told["migration"], "");
+  EXPECT_EQ(told["version"], 1);
   EXPECT_EQ(told["markers"], 1);
   EXPECT_EQ(told["data"][0]["use"], "library");
   EXPECT_EQ(told["data"][0]["state"], "changed");
   EXPECT_EQ(told["data"][1]["state"], "missing");
+  EXPECT_THAT(run("session info s.abrazo").out, HasSubstr("version    1\n"));
   EXPECT_THAT(run("session info s.abrazo").out, HasSubstr("missing: "));
 }
 
@@ -69,9 +41,7 @@ TEST_F(SessionCommand, RefusesWhatIsNoneWithOneSentence) {
   write("notes.txt",
         "This is a letter, and much longer than the head of a database would have to be for it.");
   expect_failure(run("session info notes.txt"), "not a session file");
-  expect_failure(run("session migrate notes.txt"), "not a session file");
   expect_failure(run("session info nothing.abrazo"), "there is no such file");
-  expect_failure(run("session migrate nothing.abrazo"), "there is no such file");
 }
 
 }  // namespace

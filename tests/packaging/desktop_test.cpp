@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "core/session/file/project.hpp"
 #include "tests/cli/run_command.hpp"
 #include "tests/packaging/installed_files.hpp"
 
@@ -29,6 +30,7 @@ class DesktopTypes : public ::testing::Test {
     fs::copy_file(installed("share/mime/packages/abrazo.xml"), folder_ / "mime" / "packages" / "abrazo.xml");
     const Outcome told = check({update, (folder_ / "mime").string()});
     ASSERT_EQ(told.status, 0) << told.err;
+    ASSERT_TRUE(save_project(session().string(), {}));
     ::setenv("XDG_DATA_DIRS", folder_.c_str(), 1);
     ::setenv("XDG_DATA_HOME", (folder_ / "nobody").c_str(), 1);
   }
@@ -42,7 +44,7 @@ class DesktopTypes : public ::testing::Test {
     return folder_ / name;
   }
 
-  const fs::path session_ = fs::path(ABRAZO_FIXTURES) / "session" / "version_1.abrazo";
+  fs::path session() const { return folder_ / "evening.abrazo"; }
 
  private:
   static std::string type_of(const fs::path& file, QMimeDatabase::MatchMode mode) {
@@ -53,16 +55,15 @@ class DesktopTypes : public ::testing::Test {
 };
 
 TEST_F(DesktopTypes, KnowASessionByItsName) {
-  ASSERT_TRUE(fs::exists(session_));
-  EXPECT_EQ(by_name(session_), "application/x-abrazo-session");
+  EXPECT_EQ(by_name(session()), "application/x-abrazo-session");
 }
 
 TEST_F(DesktopTypes, KnowARenamedSessionByItsContent) {
-  EXPECT_EQ(by_content(written("renamed", content_of(session_))), "application/x-abrazo-session");
+  EXPECT_EQ(by_content(written("renamed", content_of(session()))), "application/x-abrazo-session");
 }
 
 TEST_F(DesktopTypes, TakeNoOtherDatabaseForASession) {
-  std::string other = content_of(session_);
+  std::string other = content_of(session());
   other[68] = 'X';  // the application's number
   EXPECT_EQ(by_content(written("other", other)), "application/vnd.sqlite3");
 }

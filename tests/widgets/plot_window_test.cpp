@@ -124,13 +124,6 @@ TEST(PaneArrangement, LeavesOutWhatItDoesNotKnow) {
   EXPECT_EQ(arrangement_of("a;b,c"), default_arrangement());
 }
 
-TEST(PaneArrangement, ReadsTheFormerNamesOfTheCostByIntent) {
-  const PaneArrangement expected = {{Series::LeaderMotion, Series::IntentTotal}};
-  EXPECT_EQ(arrangement_of("filter.leader,filter.total"), expected);
-  EXPECT_EQ(text_of(expected), "intent.leader,intent.total");
-  EXPECT_EQ(arrangement_of("filter.of_coffee"), default_arrangement());
-}
-
 TEST(PaneGrid, StandsInARowAndInRowsWhereThereIsHeight) {
   EXPECT_EQ(plan_panes(3, 930, 150).columns, 3);
   EXPECT_EQ(plan_panes(6, 930, 150).columns, 6);

@@ -466,7 +466,7 @@ TEST_F(ProjectActions, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {
   EXPECT_TRUE(until([&] { return !QFile::exists(left) && kept().size() == 1; }));
 }
 
-TEST_F(ProjectActions, AFileOfTheOldVersionAndANewerOne) {
+TEST_F(ProjectActions, AFileOfANewerVersionIsRefused) {
   const QString newer = file("newer.abrazo");
   save_as("now.abrazo");
   ASSERT_TRUE(QFile::copy(file("now.abrazo"), newer));

@@ -15,17 +15,10 @@ std::vector<std::string_view> parts(std::string_view text, char separator) {
   return found;
 }
 
-/// A series by its key, or by the one that it had while the selection `intent` was called `filter`.
-std::optional<Series> remembered_series(std::string_view key) {
-  constexpr std::string_view former = "filter.";
-  return find_series(key.starts_with(former) ? "intent." + std::string(key.substr(former.size()))
-                                             : std::string(key));
-}
-
 PaneSeries pane_of(std::string_view text) {
   PaneSeries pane;
   for (const std::string_view key : parts(text, ',')) {
-    const auto series = remembered_series(key);
+    const auto series = find_series(key);
     if (series && can_join(pane, *series) && std::ranges::find(pane, *series) == pane.end())
       pane.push_back(*series);
   }

@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/workbench/base/trash.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -35,11 +37,27 @@ QStringList unclosed_sessions(const QString& folder) {
   return files;
 }
 
-bool discard_session(const QString& file) {
-  const bool gone = QFile::moveToTrash(file) || QFile::remove(file);
-  if (!gone) return false;
-  for (const char* ending : {log_ending, "-shm"}) QFile::remove(file + ending);
+QStringList files_of_session(const QString& file) {
+  return {file + log_ending, file + "-shm", file + "-journal", file};
+}
+
+Status discard_session(const QString& file) {
+  return move_to_trash(files_of_session(file));
+}
+
+bool rename_session(const QString& file, const QString& to) {
+  const QStringList from = files_of_session(file), into = files_of_session(to);
+  for (int i = 0; i < from.size(); ++i) {
+    if (!QFileInfo::exists(from[i]) || QFile::rename(from[i], into[i])) continue;
+    while (--i >= 0)
+      if (QFileInfo::exists(into[i])) QFile::rename(into[i], from[i]);
+    return false;
+  }
   return true;
+}
+
+void delete_session(const QString& file) {
+  for (const QString& each : files_of_session(file)) QFile::remove(each);
 }
 
 }  // namespace abrazo::app

@@ -12,6 +12,7 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/range_words.hpp"
 #include "app/workbench/base/user_settings.hpp"
+#include "app/workbench/document/session_places.hpp"
 #include "core/opening/opened_session.hpp"
 
 namespace abrazo::app {
@@ -21,11 +22,6 @@ constexpr int retry_ms = 500;
 
 QString lock_of(const QString& file) {
   return file.left(file.size() - QString(".abrazo").size()) + ".lock";
-}
-
-/// All but its lock.
-void remove_content(const QString& file) {
-  for (const char* end : {"", "-journal", "-wal", "-shm"}) QFile::remove(file + end);
 }
 
 /// What was kept there; nothing when it cannot be read.
@@ -105,7 +101,7 @@ void Autosave::finish() {
   m_job.reset();  // waits for a write under way
   m_next.reset();
   m_kept.reset();
-  if (m_lock) remove_content(m_file);
+  if (m_lock) delete_session(m_file);
   m_lock.reset();  // removes its own file, and complains where that is gone
 }
 
@@ -120,7 +116,7 @@ QStringList Autosave::leftBehind(const QString& folder) {
 }
 
 void Autosave::remove(const QString& file) {
-  remove_content(file);
+  delete_session(file);
   QFile::remove(lock_of(file));
 }
 

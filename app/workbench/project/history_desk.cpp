@@ -266,13 +266,10 @@ QString HistoryDesk::adopt(const QString& file) {
   QString newest;
   for (const QFileInfo& part : parts_in(folder)) {
     const QString to = new_session_file(sessions_folder(), part.lastModified());
-    if (!QFile::rename(part.absoluteFilePath(), to)) return {};
-    for (const char* end : {"-wal", "-shm"})
-      if (QFileInfo::exists(part.absoluteFilePath() + end))
-        QFile::rename(part.absoluteFilePath() + end, to + end);
+    if (!rename_session(part.absoluteFilePath(), to)) return {};
     newest = to;
   }
-  QDir(folder).removeRecursively();
+  QDir().rmdir(folder);
   QFile::remove(lock_beside(folder));
   return newest;
 }

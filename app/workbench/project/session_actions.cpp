@@ -3,6 +3,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/project/autosave.hpp"
@@ -66,8 +67,9 @@ void discard(MainWindow& window, const QString& file) {
     Autosave::remove(file);
     return window.messages().showInformation("The changes that were not saved were discarded");
   }
-  discard_session(file) ? window.messages().showInformation(file + " was discarded")
-                        : window.messages().showError(file + ": cannot be removed; check its owner");
+  const Status discarded = discard_session(file);
+  discarded ? window.messages().showInformation(file + " was moved to the trash")
+            : window.messages().showError(words(discarded.error()));
 }
 
 }  // namespace

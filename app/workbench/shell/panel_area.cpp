@@ -2,7 +2,9 @@
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QLayout>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTabBar>
 #include <QTimer>
 #include <algorithm>
@@ -447,8 +449,8 @@ WindowLayout PanelArea::state() const {
 bool PanelArea::setState(const WindowLayout& layout) {
   if (!is_dock_state(layout.docks, layout_version) || !restoreState(layout.docks, layout_version))
     return false;
-  m_hasSizes = !layout.sizes || !layout.sizes->empty();  // empty: of a window that had no room for panels
-  m_sizes = layout.sizes.value_or(std::map<QString, QSize>());
+  m_hasSizes = !layout.sizes.empty();  // empty: of a window that had no room for panels
+  m_sizes = layout.sizes;
   m_wishes = layout.sides;
   for (Panel& panel : m_panels) {
     const QString id = panel.dock->objectName();

@@ -45,7 +45,7 @@ std::map<QString, QSize> sizes_of(const QJsonObject& object) {
 }  // namespace
 
 QByteArray text_of(const WindowLayout& layout) {
-  QJsonObject object{
+  const QJsonObject object{
       {version_key, layout_version},
       {"docks", QString::fromLatin1(layout.docks.toBase64())},
       {"known", QJsonArray::fromStringList(layout.known)},
@@ -53,8 +53,8 @@ QByteArray text_of(const WindowLayout& layout) {
       {"left", wish_json(layout.sides.left)},
       {"right", wish_json(layout.sides.right)},
       {"below", wish_json(layout.sides.plots)},
-      {"timeline_height", layout.timeline_height ? QJsonValue(*layout.timeline_height) : QJsonValue()}};
-  if (layout.sizes) object["sizes"] = sizes_json(*layout.sizes);
+      {"timeline_height", layout.timeline_height ? QJsonValue(*layout.timeline_height) : QJsonValue()},
+      {"sizes", sizes_json(layout.sizes)}};
   return QJsonDocument(object).toJson();
 }
 
@@ -73,8 +73,7 @@ Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& fil
                   wish_of(object.value("below"))};
   if (const QJsonValue height = object.value("timeline_height"); height.isDouble())
     layout.timeline_height = std::clamp(height.toInt(), 0, tallest_px);
-  if (const QJsonValue sizes = object.value("sizes"); sizes.isObject())
-    layout.sizes = sizes_of(sizes.toObject());
+  layout.sizes = sizes_of(object.value("sizes").toObject());
   return layout;
 }
 

@@ -13,7 +13,7 @@
 
 namespace abrazo::app {
 
-/// Increased if changes of panels or places make older files invalid.
+/// Increased if changes of panels or places make files invalid.
 constexpr int layout_version = 1;
 
 /// Places and visibility of the panels of a window.
@@ -22,8 +22,8 @@ struct WindowLayout {
   QStringList known, shown;  ///< known panels, and the wanted ones among them
   PanelWishes sides;
   std::optional<int> timeline_height;  ///< pixels, as a person chose it; 0 = minimum
-  /// Of panels as they were in a window with room for them; width 0 follows the window. None in older files.
-  std::optional<std::map<QString, QSize>> sizes;
+  /// Of panels as they were in a window with room for them; width 0 follows the window.
+  std::map<QString, QSize> sizes;
 
   bool operator==(const WindowLayout&) const = default;
 };

@@ -194,12 +194,12 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
   m_finishing = recorder;
   m_lastState.file_bytes = recorder->state().file_bytes;
   m_lastState.behind_s = 0;
-  const QString file = std::exchange(m_file, afterwards == Afterwards::Discard ? QString() : m_file);
+  const QString file = std::exchange(m_file, afterwards == Afterwards::Delete ? QString() : m_file);
   if (m_file.isEmpty()) m_lastState = {};
   auto* job = new Job(
       [this, recorder, file, afterwards](const Progress&) -> Job::Finish {
         const Status written = recorder->finish();
-        if (afterwards == Afterwards::Discard) discard_session(file);
+        if (afterwards == Afterwards::Delete) delete_session(file);
         return [this, recorder, file, written] {
           if (m_finishing == recorder) m_finishing.reset();
           emit fileFinished();
@@ -275,7 +275,7 @@ bool TakeDesk::isReadyForStream() const {
 /// Of a stream that could not be opened nothing is left.
 void TakeDesk::discardIfUnused() {
   const bool is_unused = std::exchange(m_isForStream, false) && takes().empty();
-  stopRecorder(is_unused ? Afterwards::Discard : Afterwards::Keep);
+  stopRecorder(is_unused ? Afterwards::Delete : Afterwards::Keep);
 }
 
 /// The file of the session that was opened, with its takes.

@@ -83,7 +83,7 @@ class TakeDesk : public QObject {
   void endTake(bool stopsRecorder = true);
   bool record();
   bool recordsStreams() const;
-  enum class Afterwards { Keep, Discard };
+  enum class Afterwards { Keep, Delete };
   void stopRecorder(Afterwards afterwards = Afterwards::Keep);
   bool isFinishingFile() const;
   void awaitFile();

@@ -23,14 +23,10 @@ FrameReader::~FrameReader() = default;
 Result<std::unique_ptr<FrameReader>> FrameReader::open(SessionDatabase& database) {
   auto rows = database.prepare("SELECT " + frame_columns() +
                                ", checksum FROM frames WHERE frame BETWEEN ? AND ? ORDER BY frame");
-  const auto learning =
-      database.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'learning'");
-  const bool has_learning = learning && learning->value_or(0) > 0;  // earlier programs did not write it
   auto settings = database.prepare(
-      std::string("SELECT frame, json, ") +
-      (has_learning ? "(SELECT is_learning FROM learning WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1)"
-                    : "0") +
-      " FROM settings WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1");
+      "SELECT frame, json, "
+      "(SELECT is_learning FROM learning WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1) "
+      "FROM settings WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1");
   auto decisions =
       database.prepare("SELECT frame, json FROM decisions WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
   auto last_until = database.prepare(

@@ -75,7 +75,7 @@ std::string library_fingerprint(const MotionLibrary& library) {
 }
 
 bool is_comparable(std::string_view fingerprint) {
-  return fingerprint.find(' ') != std::string_view::npos;
+  return !fingerprint.empty();
 }
 
 bool is_same_motion(std::string_view fingerprint, std::string_view other) {

@@ -16,7 +16,7 @@ namespace abrazo {
 std::string library_fingerprint(const MotionLibrary& library);
 /// Whether two fingerprints are of libraries with the same pairs, poses and meshes, whatever their labels.
 bool is_same_motion(std::string_view fingerprint, std::string_view other);
-/// A fingerprint of files from before there were two numbers says nothing: the number of pairs is compared.
+/// A recording that was cut off may have no fingerprint: then the number of pairs is compared.
 bool is_comparable(std::string_view fingerprint);
 
 /// Paths at which to look for a session's library: relative to the session file, then the absolute path at

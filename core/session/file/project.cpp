@@ -6,7 +6,6 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/session/file/project_rows.hpp"
-#include "core/session/file/project_schema.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_schema.hpp"
 
@@ -43,7 +42,7 @@ Status create(const std::string& path, const Project& project) {
   return file.commit();
 }
 
-/// Opens a file that is there for writing, of this version or an older one.
+/// Opens a file that is there for writing.
 Result<SessionDatabase> open_to_write(const std::string& path) {
   auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
   if (!database) return database.error();
@@ -76,10 +75,7 @@ Status save_project(const std::string& path, const Project& project) {
   if (!is_there) return create(path, project);
   auto database = open_to_write(path);
   if (!database) return database.error();
-  const Status saved = in_transaction(*database, [&] {
-    const Status migrated = migrate_session_schema(*database);
-    return migrated ? write_project(*database, project) : migrated;
-  });
+  const Status saved = in_transaction(*database, [&] { return write_project(*database, project); });
   const Status closed = database->close();
   return saved ? closed : saved;
 }
@@ -94,20 +90,6 @@ Result<Project> load_project(const std::string& path) {
   auto reading = read_project(path);
   if (!reading) return reading.error();
   return std::move(reading->project);
-}
-
-Result<int> migrate_session(const std::string& path) {
-  std::error_code failure;
-  if (!fs::exists(path, failure)) return Error{"there is no such file", path};
-  auto database = open_to_write(path);
-  if (!database) return database.error();
-  const auto version = session_version(*database);
-  if (!version) return version.error();
-  const Status migrated = in_transaction(*database, [&] { return migrate_session_schema(*database); });
-  const Status closed = database->close();
-  if (!migrated) return migrated.error();
-  if (!closed) return closed.error();
-  return static_cast<int>(*version);
 }
 
 }  // namespace abrazo

@@ -52,26 +52,20 @@ struct Project {
 /// references. Videos are compared by their edited state.
 bool is_same_work(const Project& a, const Project& b);
 
-/// Writes the project into a session file, all or nothing; recorded data stays. Creates a missing file and
-/// migrates one of an older version. An Error if another process records into it. While this process records,
-/// use Recorder::save_project.
+/// Writes the project into a session file, all or nothing; recorded data stays. Creates a missing
+/// file. An Error if another process records into it. While this process records, use Recorder::save_project.
 Status save_project(const std::string& path, const Project& project);
 
 /// A project as read from a file, and what could not be read.
 struct ProjectReading {
   Project project;
   bool is_saved = false;            ///< saved by a person; otherwise derived from the recording
-  int version = 0;                  ///< of the file
   std::string saved_at;             ///< UTC, "2024-05-17T14:03:22Z"; empty if never saved
   std::uint64_t damaged = 0;        ///< unreadable rows, left out
   std::vector<std::string> damage;  ///< one sentence per kind
 };
-/// Reads a file of any version up to the present one. A file of an older version is not changed.
 Result<ProjectReading> read_project(const std::string& path);
 /// The project of read_project, without the report of damage.
 Result<Project> load_project(const std::string& path);
-
-/// Migrates a file to this program's version, all or nothing. @return its former version
-Result<int> migrate_session(const std::string& path);
 
 }  // namespace abrazo

@@ -5,9 +5,7 @@
 
 #include "core/base/utc_time.hpp"
 #include "core/session/file/decisions_json.hpp"
-#include "core/session/file/noted_intervals.hpp"
 #include "core/session/file/project_annotations.hpp"
-#include "core/session/file/project_schema.hpp"
 #include "core/session/file/project_videos.hpp"
 #include "core/session/file/table_reader.hpp"
 
@@ -163,24 +161,14 @@ Status write_project(SessionDatabase& database, const Project& project) {
 Result<ProjectReading> read_project(SessionDatabase& database) {
   ProjectReading reading;
   Project& project = reading.project;
-  const auto version = session_version(database);
-  if (!version) return version.error();
-  reading.version = static_cast<int>(*version);
   TableReader tables(database);
   std::vector<std::string> more;
-  std::map<std::string, std::string> words;
-  if (reading.version >= 2) {
-    words = read_words(tables, "facts", "project");
-    reading.is_saved = words.contains("saved_at");
-    if (reading.is_saved) reading.saved_at = words["saved_at"];
-    take_views(read_words(tables, "views", "view_state"), project);
-    project.annotations = read_annotations(tables);
-    read_data_and_videos(tables, project);
-  } else if (const auto noted = noted_intervals(database, more); !noted.empty()) {
-    auto annotations = annotations_of(noted);
-    annotations ? void(project.annotations[""] = std::move(*annotations))
-                : more.push_back(annotations.error().text());
-  }
+  auto words = read_words(tables, "facts", "project");
+  reading.is_saved = words.contains("saved_at");
+  if (reading.is_saved) reading.saved_at = words["saved_at"];
+  take_views(read_words(tables, "views", "view_state"), project);
+  project.annotations = read_annotations(tables);
+  read_data_and_videos(tables, project);
   project.markers = read_markers(tables, number_in(words, "next_marker"));
   if (!reading.is_saved)
     take_from_recording(tables, project);

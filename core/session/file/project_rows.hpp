@@ -8,7 +8,7 @@ namespace abrazo {
 /// Replaces the project in the file, in the running transaction.
 Status write_project(SessionDatabase& database, const Project& project);
 
-/// Reads a database of any version that passed `check_session_schema`.
+/// Reads a database that passed `check_session_schema`.
 Result<ProjectReading> read_project(SessionDatabase& database);
 
 }  // namespace abrazo

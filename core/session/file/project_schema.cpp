@@ -1,11 +1,5 @@
 #include "core/session/file/project_schema.hpp"
 
-#include <string>
-
-#include "core/session/file/noted_intervals.hpp"
-#include "core/session/file/project_annotations.hpp"
-#include "core/session/file/session_schema.hpp"
-
 namespace abrazo {
 
 const char* const project_tables = R"sql(
@@ -46,34 +40,5 @@ CREATE VIEW annotation_list AS
   FROM annotations a JOIN tiers t ON t.id = a.tier JOIN subjects s ON s.id = t.subject
   ORDER BY s.name, t.id, a.start_s;
 )sql";
-
-Result<std::int64_t> session_version(SessionDatabase& database) {
-  const auto version = database.integer("PRAGMA user_version");
-  if (!version) return version.error();
-  return version->value_or(0);
-}
-
-Status migrate_session_schema(SessionDatabase& database) {
-  const auto version = session_version(database);
-  if (!version) return version.error();
-  if (*version >= session_schema_version) return Done{};
-  static_assert(session_schema_version == 2, "another version needs a step from version 2");
-  std::vector<std::string> damage;
-  const auto noted = noted_intervals(database, damage);
-  if (!damage.empty())
-    return Error{"the file cannot be brought to version " + std::to_string(session_schema_version) +
-                     ", because " + damage.front() + "; it was left as it is",
-                 database.path()};
-  if (const Status made = database.execute(project_tables); !made) return made;
-  if (!noted.empty()) {
-    auto annotations = annotations_of(noted);
-    if (!annotations) return annotations.error();
-    AnnotationBook book;
-    book[""] = std::move(*annotations);
-    if (const Status written = write_annotations(database, book); !written) return written;
-  }
-  return database.execute("DROP TABLE intervals; PRAGMA user_version = " +
-                          std::to_string(session_schema_version));
-}
 
 }  // namespace abrazo

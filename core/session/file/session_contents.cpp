@@ -5,9 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/session/file/decisions_json.hpp"
-#include "core/session/file/noted_intervals.hpp"
 #include "core/session/file/project_annotations.hpp"
-#include "core/session/file/project_schema.hpp"
 #include "core/session/file/table_reader.hpp"
 #include "core/session/frames/time_place.hpp"
 
@@ -114,10 +112,6 @@ void read_tracks(Tables& tables, SessionContents& contents) {
 
 /// Annotations of the session itself, not of takes of the library.
 void read_annotated(SessionDatabase& database, SessionContents& contents, std::vector<std::string>& damage) {
-  if (contents.version < 2) {
-    contents.annotations = noted_intervals(database, damage);
-    return;
-  }
   TableReader tables(database);
   const AnnotationBook book = read_annotations(tables);
   if (const auto session = book.find(""); session != book.end())
@@ -202,7 +196,6 @@ void bound_runs(SessionDatabase& database, SessionContents& contents) {
 /// Reads all small tables. Unreadable parts are left out and reported in `damage`, one sentence each.
 SessionContents read_contents(SessionDatabase& database, std::vector<std::string>& damage) {
   SessionContents contents;
-  if (const auto version = session_version(database)) contents.version = static_cast<int>(*version);
   Tables tables(database, damage);
   read_frames(tables, contents);
   read_runs(tables, contents);

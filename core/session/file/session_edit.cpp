@@ -6,7 +6,6 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/utc_time.hpp"
-#include "core/session/file/project_schema.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_schema.hpp"
 
@@ -58,8 +57,7 @@ Status edit_session_takes(const std::string& path, const TakeEdits& edits) {
   if (!known) return known;
   const Status begun = database->execute("BEGIN IMMEDIATE");
   if (!begun) return begun;
-  Status edited = migrate_session_schema(*database);
-  if (edited) edited = apply_take_edits(*database, edits);
+  const Status edited = apply_take_edits(*database, edits);
   const Status ended = database->execute(edited ? "COMMIT" : "ROLLBACK");
   const Status closed = database->close();
   return !edited ? edited : !ended ? ended : closed;

@@ -94,7 +94,6 @@ struct SessionSource {
 /// Everything in a session file except frames and poses. Times are those of the file: seconds since its first
 /// run began.
 struct SessionContents {
-  int version = 0;      ///< of the file's layout
   std::string program;  ///< the program that wrote it: "abrazo 0.4.0"
   std::vector<SessionRun> runs;
   std::vector<SessionLibrary> libraries;

@@ -68,7 +68,7 @@ CREATE VIEW take_list AS
 
 /// The tables that are made here, by their names.
 std::set<std::string, std::less<>> own_tables() {
-  std::set<std::string, std::less<>> names{"frames", "intervals"};
+  std::set<std::string, std::less<>> names{"frames"};
   static constexpr std::string_view making = "CREATE TABLE ";
   for (const std::string_view sql : {std::string_view(tables), std::string_view(project_tables)})
     for (auto at = sql.find(making); at != std::string_view::npos; at = sql.find(making, at + 1)) {
@@ -137,15 +137,15 @@ Status check_session_schema(SessionDatabase& database) {
   }
   const auto schema = database.integer("PRAGMA user_version");
   if (!schema) return schema.error();
+  const std::string version = std::to_string(schema->value_or(0));
   if (schema->value_or(0) > session_schema_version)
-    return Error{"the session file is of version " + std::to_string(schema->value_or(0)) +
-                     ", this program reads up to version " + std::to_string(session_schema_version) +
-                     "; open it with a newer Abrazo",
+    return Error{"the session file is of version " + version + ", this program reads version " +
+                     std::to_string(session_schema_version) + "; open it with a newer Abrazo",
                  database.path()};
   if (schema->value_or(0) < 1)
-    return Error{"the session file says that it is of version " + std::to_string(schema->value_or(0)) +
-                     ", which there never was: it is damaged",
-                 database.path()};
+    return Error{
+        "the session file says that it is of version " + version + ", which there never was: it is damaged",
+        database.path()};
   return check_schema_objects(database);
 }
 

@@ -8,8 +8,8 @@ namespace abrazo {
 
 /// "Abrz", in the header of the file: identifies a session file for `file` and other programs.
 inline constexpr std::int64_t session_application_id = 0x4162727a;
-/// Increased when older programs cannot read the new layout.
-inline constexpr std::int64_t session_schema_version = 2;
+/// Increased when programs of the version before cannot read the new layout.
+inline constexpr std::int64_t session_schema_version = 1;
 
 /// Whether the database has no tables.
 Result<bool> is_empty_database(SessionDatabase& database);

@@ -13,7 +13,6 @@
 #include "core/base/version.hpp"
 #include "core/session/file/frame_row.hpp"
 #include "core/session/file/project_rows.hpp"
-#include "core/session/file/project_schema.hpp"
 #include "core/session/file/session_schema.hpp"
 #include "core/session/file/session_writer_statements.hpp"
 
@@ -97,13 +96,8 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   }
   // From here on this writer always holds a transaction, so no other program can write.
   if (const Status begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
-  const Status current = *empty ? create_session_schema(database_) : migrate_session_schema(database_);
-  if (!current) return current;
-  // Files of earlier programs of this version do not have it.
-  if (const Status made = database_.execute(
-          "CREATE TABLE IF NOT EXISTS learning (frame INTEGER PRIMARY KEY, is_learning INTEGER NOT NULL)");
-      !made)
-    return made;
+  if (*empty)
+    if (const Status created = create_session_schema(database_); !created) return created;
   if (const Status begun = begin_run(); !begun) return begun;
   if (const Status prepared = prepare_statements(); !prepared) return prepared;
   // In the file itself, so that it is a session file even if the log is lost.

@@ -9,17 +9,7 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 8;
-constexpr std::uint8_t without_desired = 7;         ///< was written before the desired place had a speed
-constexpr std::uint8_t without_recorded_speed = 6;  ///< was written before that speed was filtered
-// Was written while bodies were always the library's. The speed of the partner's place did not include the
-// recorded motion then: a partner that continues from such a state first gets up to speed.
-constexpr std::uint8_t without_bodies = 5;
-constexpr std::uint8_t without_hold_pace =
-    4;                                   ///< was written before a hold had a pace and user's hands a filter
-constexpr std::uint8_t of_the_root = 3;  ///< was written while the partner's place was that of its root
-constexpr std::uint8_t without_motion = 2;   ///< was written before the partner had a motion of its own
-constexpr std::uint8_t without_history = 1;  ///< was written before there was one
+constexpr std::uint8_t format_version = 1;
 
 void write(BlobWriter& out, const Body& body) {
   const auto& [bone_lengths, pseudo_lengths, toe_rest_height] = body;
@@ -143,14 +133,13 @@ void each_field(auto& foot, const auto& flag, const auto& real, const auto& poin
 }
 
 /// The same of two hands.
-void each_field_of_hold(auto& hold, std::uint8_t version, const auto& flag, const auto& real,
-                        const auto& point) {
+void each_field_of_hold(auto& hold, const auto& flag, const auto& real, const auto& point) {
   auto& [recorded, out_of_reach, ramp, ramp_pace, offset, lag, lag_speed, asked, asked_speed] = hold;
   flag(recorded);
   flag(out_of_reach);
   real(ramp);
   for (auto* one : {&offset, &lag, &lag_speed, &asked, &asked_speed}) point(*one);
-  if (version > without_hold_pace) real(ramp_pace);
+  real(ramp_pace);
 }
 
 /// The same of a hand of the user.
@@ -181,8 +170,7 @@ void write(BlobWriter& out, const PartnerMotion& motion) {
   const auto real = [&](double value) { out.real(value); };
   const auto point = [&](const Vec3& value) { out.matrix(value); };
   for (const FootPlants::Foot& foot : plants.feet()) each_field(foot, flag, real, point);
-  for (const HandHolds::Pair& hold : holds.pairs())
-    each_field_of_hold(hold, format_version, flag, real, point);
+  for (const HandHolds::Pair& hold : holds.pairs()) each_field_of_hold(hold, flag, real, point);
   for (const HandHolds::Arm& arm : holds.arms()) {
     out.flag(arm.reaches);
     out.matrix(arm.along);
@@ -191,7 +179,7 @@ void write(BlobWriter& out, const PartnerMotion& motion) {
   for (const SteadyHand& hand : holds.user_hands()) each_field_of_hand(hand, flag, point);
 }
 
-PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
+PartnerMotion read_motion(BlobReader& in) {
   PartnerMotion motion;
   motion.playhead.pair = in.small_integer();
   motion.playhead.fraction = in.real();
@@ -200,17 +188,13 @@ PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
   RootFrame at;
   in.matrix(at.position);
   at.heading_rad = in.real();
-  Vec3 speed;
+  Vec3 speed, recorded_speed, desired_speed;
   in.matrix(speed);
   const double turning = in.real();
-  Vec3 recorded_speed = speed;
-  if (version > without_recorded_speed) in.matrix(recorded_speed);
+  in.matrix(recorded_speed);
   std::optional<Vec3> desired;
-  Vec3 desired_speed = Vec3::Zero();
-  if (version > without_desired) {
-    if (in.flag()) in.matrix(desired.emplace());
-    in.matrix(desired_speed);
-  }
+  if (in.flag()) in.matrix(desired.emplace());
+  in.matrix(desired_speed);
   motion.place = PartnerPlace(at, speed, turning, recorded_speed, desired, desired_speed);
   motion.since_change_s = in.real();
   motion.transition = read_transition(in);
@@ -224,7 +208,7 @@ PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
   for (FootPlants::Foot& foot : feet) each_field(foot, flag, real, point);
   motion.plants = FootPlants(feet);
   HandHolds::Pairs holds;
-  for (HandHolds::Pair& hold : holds) each_field_of_hold(hold, version, flag, real, point);
+  for (HandHolds::Pair& hold : holds) each_field_of_hold(hold, flag, real, point);
   HandHolds::Arms arms;
   for (HandHolds::Arm& arm : arms) {
     arm.reaches = in.flag();
@@ -232,8 +216,7 @@ PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
     in.matrix(arm.side);
   }
   HandHolds::UserHands user_hands;
-  if (version > without_hold_pace)
-    for (SteadyHand& hand : user_hands) each_field_of_hand(hand, flag, point);
+  for (SteadyHand& hand : user_hands) each_field_of_hand(hand, flag, point);
   motion.holds = HandHolds(holds, arms, user_hands);
   return motion;
 }
@@ -245,9 +228,8 @@ void write(BlobWriter& out, const UserMeasure& user) {
   out.small_integer(user.seen());
 }
 
-UserMeasure read_user(BlobReader& in, std::uint8_t version) {
-  auto body = read_optional_body(in);
-  if (version <= without_motion) return UserMeasure(body);  // measured on one pose, and kept
+UserMeasure read_user(BlobReader& in) {
+  const auto body = read_optional_body(in);
   const bool is_given = in.flag();
   const double seen_s = in.real();
   return {body, is_given, seen_s, in.small_integer()};
@@ -299,28 +281,6 @@ ShownMemory read_shown(BlobReader& in) {
   return shown;
 }
 
-/// Before there was a motion: the offset that the reference glided by. It is not kept.
-void skip_glide(BlobReader& in) {
-  Pose offset, velocity;
-  in.matrix(offset);
-  in.matrix(velocity);
-}
-
-/// Earlier the place was that of the root, from which the motion of the centre of mass cannot be derived. It
-/// is dropped, and the partner continues from the shown pose.
-void skip_motion_of_the_root(BlobReader& in) {
-  constexpr std::size_t number = sizeof(double), point = 3 * number;
-  constexpr std::size_t playhead = sizeof(std::int32_t) + 2 * number + 1;  // with the settings that moved it
-  constexpr std::size_t place = 2 * point + 3 * number;                    // with the time since a change
-  constexpr std::size_t transition = 2 * bone_count * point + 4 * number;
-  constexpr std::size_t adaptation = 4 * sizeof(Pose);
-  constexpr std::size_t foot = 4 + 6 * point + 4 * number;
-  constexpr std::size_t hold = 2 + number + 5 * point;
-  constexpr std::size_t arm = 1 + 2 * point;
-  constexpr std::size_t all = playhead + place + transition + adaptation + 2 * foot + 4 * hold + 2 * arm;
-  for (std::size_t i = 0; i < all; ++i) in.byte();
-}
-
 // The names bind all fields: a field added to a struct breaks the compilation here, and must then be written
 // and read below under a new version.
 void write(BlobWriter& out, const FrameMemory& memory) {
@@ -344,7 +304,7 @@ void write(BlobWriter& out, const FrameMemory& memory) {
 }
 
 /// @return whether its history can be one
-bool read(BlobReader& in, std::uint8_t version, FrameMemory& memory) {
+bool read(BlobReader& in, FrameMemory& memory) {
   memory.frames_since_reset = in.small_integer();
   in.matrix(memory.previous);
   in.matrix(memory.before_previous);
@@ -354,16 +314,11 @@ bool read(BlobReader& in, std::uint8_t version, FrameMemory& memory) {
   memory.current_pair = in.small_integer();
   memory.has_good_result = in.flag();
   memory.locks = read_locks(in);
-  if (version <= without_motion) {
-    skip_glide(in);
-    memory.partner_is_shown = memory.has_good_result;
-  } else {
-    version == of_the_root ? skip_motion_of_the_root(in) : void(memory.motion = read_motion(in, version));
-    memory.partner_is_shown = in.flag();
-  }
-  const bool has_history = version == without_history || read(in, memory.history);
-  memory.user = read_user(in, version);
-  if (version > without_bodies) memory.shown = read_shown(in);
+  memory.motion = read_motion(in);
+  memory.partner_is_shown = in.flag();
+  const bool has_history = read(in, memory.history);
+  memory.user = read_user(in);
+  memory.shown = read_shown(in);
   return has_history;
 }
 
@@ -413,13 +368,13 @@ std::vector<std::uint8_t> synthesizer_state_bytes(const SynthesizerState& state)
 Result<SynthesizerState> parse_synthesizer_state(std::span<const std::uint8_t> bytes) {
   BlobReader in(bytes);
   const std::uint8_t version = in.byte();
-  if (version < without_history || version > format_version)
+  if (version != format_version)
     return Error{"the solver's state is of version " + std::to_string(version) +
-                     "; this program reads versions up to " + std::to_string(format_version),
+                     "; this program reads version " + std::to_string(format_version),
                  {}};
   SynthesizerState state;
   state.user_role = in.byte() == 0 ? UserRole::Active : UserRole::Passive;
-  if (!read(in, version, state.memory))
+  if (!read(in, state.memory))
     return Error{"the user's last two seconds in the solver's state are damaged", {}};
   state.user_body = read_optional_body(in);
   if (in.flag()) state.pinned = in.small_integer();

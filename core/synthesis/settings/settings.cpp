@@ -21,12 +21,6 @@ constexpr double lowest_step_rate_hz = 5;
 constexpr double highest_weighed_rate_hz =
     240;  ///< poses closer than this are weighed as if they were this far apart
 
-/// Still accepted in recorded sessions; `transition-time` has replaced it.
-constexpr std::string_view retired_setting = "transition-half-life";
-
-/// The former name of the selection `intent`, still read in sessions, settings and scripts.
-constexpr std::string_view retired_intent = "filter";
-
 using Kind = SettingInfo::Kind;
 
 /// A setting's description and its place in Settings, as a number (flags 0/1, choices their index).
@@ -440,8 +434,7 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
   }
   if (found->info.kind == Kind::Choice) {
     const auto choices = split_fields(found->info.choices, '|');
-    const std::string_view name = key == "selection" && text == retired_intent ? "intent" : text;
-    const auto at = std::find(choices.begin(), choices.end(), name);
+    const auto at = std::find(choices.begin(), choices.end(), text);
     if (at == choices.end())
       return wrong_value(found->info, text, "one of " + std::string(found->info.choices) + " is expected");
     found->set(settings, static_cast<double>(at - choices.begin()));
@@ -494,7 +487,6 @@ Result<Settings> parse_settings(std::string_view json, const Settings& start, st
     return Error{"an object of settings is expected, as in {\"alpha\": 0.5}", std::string(where)};
   Settings settings = start;
   for (const auto& [key, value] : parsed.items()) {
-    if (key == retired_setting) continue;
     const Entry* found = find_entry(key);
     if (!found)
       return Error{in_quotes(key) + " is not a setting; there are " + setting_names(), std::string(where)};

@@ -79,6 +79,7 @@ TEST_F(LabelImport, AFileOfAnotherTakeIsReadAllTheSame) {
   const auto file = std::filesystem::path(testing::TempDir()) / "one_take_labels.csv";
   ASSERT_TRUE(write_whole_file(file, "take,start_frame,end_frame,label\nsalsa_01,0,30,turn\n"));
   const auto read = read_labels_for(file, 60, "salsa_02");
+  std::filesystem::remove(file);
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->take, "salsa_01");
   EXPECT_THAT(read->warnings, ElementsAre(HasSubstr("has labels of the take salsa_01, none of salsa_02")));

@@ -399,27 +399,5 @@ TEST(LearnedSelection, ASessionIsSolvedAgainToTheSameBits) {
   }
 }
 
-TEST(LearnedSelection, ASessionThatCallsItFilterIsSolvedAgainToTheSameBits) {
-  const RecordedSession session;
-  {
-    auto database = SessionDatabase::open(session.path, SessionDatabase::Access::Write);
-    ASSERT_TRUE(database) << database.error().text();
-    ASSERT_TRUE(database->execute(R"(UPDATE settings SET json = replace(json, '"intent"', '"filter"'))"));
-    const auto former = database->integer(R"(SELECT count(*) FROM settings WHERE json LIKE '%"filter"%')");
-    ASSERT_TRUE(former);
-    EXPECT_GT(former->value_or(0), 1);
-  }
-  const auto file = SessionFile::open(session.path);
-  ASSERT_TRUE(file) << file.error().text();
-  const auto replay =
-      re_solve_session(**file, test::session_library(), -1e9, 1e9, [&](const FrameSnapshot& frame) -> Status {
-        EXPECT_EQ(frame.settings.selection, session.keeper->frames.at(frame.index)->settings.selection);
-        EXPECT_EQ(trace_line(frame), trace_line(*session.keeper->frames[frame.index]));
-        return Done{};
-      });
-  ASSERT_TRUE(replay) << replay.error().text();
-  EXPECT_EQ(replay->differ, 0U);
-}
-
 }  // namespace
 }  // namespace abrazo::learned_selection_test

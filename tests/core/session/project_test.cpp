@@ -36,14 +36,6 @@ void change(const std::string& path, const std::string& sql) {
   ASSERT_TRUE(done) << done.error().text();
 }
 
-/// A file as the first version of the program recorded it: 4 frames, a take, a marker, and intervals that
-/// somebody noted, two of them overlapping.
-std::string file_of_version_1(const test::TemporaryFolder& folder) {
-  const std::string path = folder.file("old.abrazo");
-  std::filesystem::copy_file(std::string(ABRAZO_FIXTURES) + "/session/version_1.abrazo", path);
-  return path;
-}
-
 TEST(Project, EveryFieldOfAnyProjectReadsBackTheSame) {
   const test::TemporaryFolder folder;
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -55,7 +47,6 @@ TEST(Project, EveryFieldOfAnyProjectReadsBackTheSame) {
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_THAT(read->damage, SizeIs(0));
     EXPECT_TRUE(read->is_saved);
-    EXPECT_EQ(read->version, 2);
     EXPECT_EQ(read->project.data, project.data);
     EXPECT_EQ(read->project.annotations, project.annotations);
     EXPECT_EQ(read->project.videos, project.videos);
@@ -158,104 +149,17 @@ TEST(Project, OfARecordingInWhichNoneWasSavedIsWhatTheRecordingKnows) {
   EXPECT_EQ(read->project.markers.all()[0].name, "clap");
 }
 
-TEST(ProjectVersions, TheFirstIsReadWithoutBeingChanged) {
-  const test::TemporaryFolder folder;
-  const std::string path = file_of_version_1(folder);
-  const std::string before = bytes_of(path);
-  const auto file = SessionFile::open(path);
-  ASSERT_TRUE(file) << file.error().text();
-  EXPECT_EQ((*file)->contents().version, 1);
-  EXPECT_EQ((*file)->contents().frames, 4U);
-  ASSERT_THAT((*file)->contents().annotations, SizeIs(3));
-  EXPECT_EQ((*file)->contents().annotations[0].name, "move");
-  EXPECT_EQ((*file)->contents().annotations[0].intervals[0],
-            (TierInterval{0, 0.05, "basic", "first step", "high"}));
-  const auto read = read_project(path);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->version, 1);
-  EXPECT_FALSE(read->is_saved);
-  EXPECT_EQ(read->project.markers.all().at(0).name, "clap");
-  EXPECT_EQ(bytes_of(path), before);
-}
-
-TEST(ProjectVersions, TheFirstIsMigratedWithAllThatItHas) {
-  const test::TemporaryFolder folder;
-  const std::string path = file_of_version_1(folder);
-  std::vector<FrameSnapshotPtr> before;
-  const auto keep = [](std::vector<FrameSnapshotPtr>& into) {
-    return [&into](const FrameSnapshot& frame) -> Status {
-      into.push_back(std::make_shared<FrameSnapshot>(frame));
-      return Done{};
-    };
-  };
-  ASSERT_EQ((*SessionFile::open(path))->each_frame(-1e9, 1e9, keep(before))->damaged, 0U);
-  const auto version = migrate_session(path);
-  ASSERT_TRUE(version) << version.error().text();
-  EXPECT_EQ(*version, 1);
-  EXPECT_EQ(*migrate_session(path), 2);  // nothing is left to do
-  const auto file = SessionFile::open(path);
-  ASSERT_TRUE(file) << file.error().text();
-  EXPECT_EQ((*file)->contents().version, 2);
-  std::vector<FrameSnapshotPtr> after;
-  ASSERT_EQ((*file)->each_frame(-1e9, 1e9, keep(after))->damaged, 0U);
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i]->result.result, before[i]->result.result);
-  const Project project = *load_project(path);
-  const std::vector<Tier> tiers = tiers_of(project.annotations.at(""));
-  ASSERT_THAT(tiers, SizeIs(3));
-  EXPECT_EQ(tiers[0].kind, TierKind::Move);
-  EXPECT_EQ(tiers[0].intervals[0], (TierInterval{0, 0.05, "basic", "first step", "high"}));
-  EXPECT_EQ(tiers[1].kind, TierKind::Role);
-  EXPECT_EQ(tiers[2].name, "move 2");
-  EXPECT_EQ(tiers[2].intervals[0].value, "turn");
-}
-
-TEST(ProjectVersions, SavingAndRecordingMigrateAsWell) {
-  const test::TemporaryFolder folder;
-  const std::string path = file_of_version_1(folder);
-  {
-    auto recorder = Recorder::open(path, test::session_facts());
-    ASSERT_TRUE(recorder) << recorder.error().text();
-    ASSERT_TRUE((*recorder)->finish());
-  }
-  EXPECT_EQ(read_project(path)->version, 2);
-  EXPECT_EQ(read_project(path)->project.annotations.size(), 1U);
-  std::filesystem::remove(path);
-  file_of_version_1(folder);
-  const Project project = test::ProjectMaker(3).make();
-  ASSERT_TRUE(save_project(path, project));
-  EXPECT_EQ(*load_project(path), project);
-  EXPECT_EQ((*SessionFile::open(path))->contents().frames, 4U);
-  std::filesystem::remove(path);
-  file_of_version_1(folder);
-  ASSERT_TRUE(edit_session_takes(path, {{"salsa 3", "salsa three"}}));
-  EXPECT_EQ((*SessionFile::open(path))->contents().takes[0].name, "salsa three");
-}
-
-TEST(ProjectVersions, AMigrationThatFailsLeavesTheFileAsItWas) {
-  const test::TemporaryFolder folder;
-  const std::string path = file_of_version_1(folder);
-  change(path, "CREATE VIEW annotation_list AS SELECT 1");  // in the way of the last thing that is made
-  const std::string before = bytes_of(path);
-  EXPECT_FALSE(migrate_session(path));
-  EXPECT_EQ(bytes_of(path), before);
-  EXPECT_EQ((*SessionFile::open(path))->contents().version, 1);
-}
-
 TEST(ProjectVersions, ANewerOneIsRefusedWithWhatToDoAndNotTouched) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("new.abrazo");
   ASSERT_TRUE(save_project(path, {}));
-  change(path, "PRAGMA user_version = 3");
+  change(path, "PRAGMA user_version = 2");
   const std::string before = bytes_of(path);
-  for (const Status& refused :
-       {save_project(path, {}), edit_session_takes(path, {{"a", "b"}}),
-        migrate_session(path) ? Status(Done{}) : Status(migrate_session(path).error()),
-        read_project(path) ? Status(Done{}) : Status(read_project(path).error())}) {
+  for (const Status& refused : {save_project(path, {}), edit_session_takes(path, {{"a", "b"}}),
+                                read_project(path) ? Status(Done{}) : Status(read_project(path).error())}) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,
-              "the session file is of version 3, this program reads up to version 2; open it with a newer "
-              "Abrazo");
+              "the session file is of version 2, this program reads version 1; open it with a newer Abrazo");
     EXPECT_EQ(refused.error().where, path);
   }
   EXPECT_FALSE(Recorder::open(path, test::session_facts()));

@@ -477,7 +477,7 @@ TEST(LibraryFingerprint, SaysWhetherOnlyLabelsDiffer) {
   LibraryColumns moved = library.columns();
   moved.poses[5](3, 1) += 1e-9;
   EXPECT_FALSE(is_same_motion(library_fingerprint(MotionLibrary(std::move(moved))), usual));
-  EXPECT_FALSE(is_same_motion("0123456789abcdef", "0123456789abcdef")) << "of older files nothing is known";
+  EXPECT_FALSE(is_same_motion("", "")) << "a recording that was cut off has none";
 }
 
 TEST(LibraryFingerprint, ChangesWithEveryMeasureOfABody) {

@@ -305,7 +305,6 @@ TEST_F(RecordingFaults, AnotherThatMayNotWriteIntoTheFileDoesNot) {
   ASSERT_TRUE(session.recorder().flush());
   std::this_thread::sleep_for(kernel_tick);
   EXPECT_FALSE(save_project(path, Project()));
-  EXPECT_FALSE(migrate_session(path));
   EXPECT_FALSE(Recorder::open(path, test::session_facts()));
   session.run_until(0.6);
   ASSERT_TRUE(session.recorder().flush());

@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
-#include <functional>
 
 #include "core/session/file/decisions_json.hpp"
 #include "core/synthesis/step/partner_synthesizer.hpp"
@@ -85,92 +83,6 @@ TEST(SynthesizerStateBytes, HoldTheUsersLastTwoSeconds) {
   }
 }
 
-/// The first byte that a change of the state changes.
-std::ptrdiff_t place_of(const SynthesizerState& state, const std::function<void(SynthesizerState&)>& change) {
-  SynthesizerState changed = state;
-  change(changed);
-  const auto bytes = synthesizer_state_bytes(state), others = synthesizer_state_bytes(changed);
-  return std::mismatch(bytes.begin(), bytes.end(), others.begin()).first - bytes.begin();
-}
-
-// Bytes in a state: the desired place with a flag and its speed follow the recorded speed.
-constexpr std::ptrdiff_t desired = 1 + 6 * sizeof(double);
-constexpr std::ptrdiff_t recorded_speed = 3 * sizeof(double) + desired;
-
-/// The first byte of the recorded speed.
-std::ptrdiff_t place_of_recorded_speed(const SynthesizerState& state) {
-  return place_of(state, [](auto& s) {
-    PartnerPlace& place = s.memory.motion.place;
-    Vec3 other = place.recorded_speed();
-    other.x() = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(other.x()));
-    place = PartnerPlace(place.at(), place.speed(), place.turning(), other, place.desired(),
-                         place.desired_speed());
-  });
-}
-
-TEST(SynthesizerStateBytes, OfTheVersionWithoutADesiredPlaceHaveAllElse) {
-  const SynthesizerState state = used_state();
-  ASSERT_TRUE(state.memory.motion.place.desired());
-  ASSERT_GT(state.memory.motion.place.desired_speed().norm(), 0);
-  auto old = synthesizer_state_bytes(state);
-  const auto end = old.begin() + place_of_recorded_speed(state) + recorded_speed;
-  old.erase(end - desired, end);
-  old[0] = 7;
-  const auto read = parse_synthesizer_state(old);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_FALSE(read->memory.motion.place.desired());
-  EXPECT_EQ(read->memory.motion.place.desired_speed(), Vec3::Zero());
-  EXPECT_EQ(read->memory.motion.place.recorded_speed(), state.memory.motion.place.recorded_speed());
-  EXPECT_EQ(read->memory.motion.since_change_s, state.memory.motion.since_change_s);
-  EXPECT_EQ(read->pinned, 12);
-}
-
-/// As written before the recorded speed of the partner's place was filtered.
-std::vector<std::uint8_t> bytes_without_recorded_speed(const SynthesizerState& state) {
-  const auto begin = place_of_recorded_speed(state);
-  auto bytes = synthesizer_state_bytes(state);
-  bytes.erase(bytes.begin() + begin, bytes.begin() + begin + recorded_speed);
-  return bytes;
-}
-
-TEST(SynthesizerStateBytes, OfTheVersionWithoutARecordedSpeedAreCarriedOnAtTheirOwn) {
-  const SynthesizerState state = used_state();
-  ASSERT_GT(state.memory.motion.place.recorded_speed().norm(), 0);
-  auto old = bytes_without_recorded_speed(state);
-  old[0] = 6;
-  const auto read = parse_synthesizer_state(old);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->memory.motion.place.recorded_speed(), state.memory.motion.place.speed());
-  EXPECT_EQ(read->memory.motion.place.turning(), state.memory.motion.place.turning());
-  EXPECT_EQ(read->memory.motion.since_change_s, state.memory.motion.since_change_s);
-  EXPECT_EQ(read->pinned, 12);
-}
-
-/// As written while bodies were always the library's.
-std::vector<std::uint8_t> bytes_without_bodies(const SynthesizerState& state) {
-  const auto begin = place_of(state, [](auto& s) {
-    double& length = s.memory.shown.bodies[0].from.bone_lengths[0];
-    length = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(length));
-  });
-  constexpr std::ptrdiff_t body = (bone_count + pseudo_bones.size() + 1) * sizeof(double);
-  constexpr std::ptrdiff_t gliding = 2 * body + sizeof(double) + 2;
-  auto bytes = bytes_without_recorded_speed(state);
-  bytes.erase(bytes.begin() + begin - recorded_speed,
-              bytes.begin() + begin - recorded_speed + 2 * gliding + 1);
-  return bytes;
-}
-
-TEST(SynthesizerStateBytes, OfTheVersionBeforeBodiesCouldBeChosenHaveTheLibrarys) {
-  const SynthesizerState state = used_state();
-  auto old = bytes_without_bodies(state);
-  old[0] = 5;
-  const auto read = parse_synthesizer_state(old);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_FALSE(read->memory.shown.is_fitted);
-  EXPECT_EQ(read->memory.previous, state.memory.previous);
-  EXPECT_EQ(read->pinned, 12);
-}
-
 TEST(SynthesizerStateBytes, ASolverThatShowsOtherBodiesGoesOnFromThem) {
   Settings settings = *preset("responsive");
   settings.active_body = {.kind = BodyChoice::Kind::Scaled, .scale = 1.2};
@@ -188,83 +100,6 @@ TEST(SynthesizerStateBytes, ASolverThatShowsOtherBodiesGoesOnFromThem) {
     const PairPose expected = first->step(clip.poses[i], Duration(1.0 / 60)).result;
     ASSERT_EQ(second->step(clip.poses[i], Duration(1.0 / 60)).result, expected) << i;
   }
-}
-
-TEST(SynthesizerStateBytes, OfTheVersionBeforeThePartnerHadAMotionAreReadWithoutOne) {
-  const SynthesizerState state = used_state();
-  const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
-  const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
-  const auto measured = place_of(state, [](auto& s) {
-    s.memory.user = UserMeasure(s.memory.user.body(), !s.memory.user.is_given(), s.memory.user.seen_s(),
-                                s.memory.user.seen());
-  });
-  auto old = bytes_without_bodies(state);
-  old.erase(old.begin() + measured - recorded_speed,
-            old.begin() + measured - recorded_speed + 13);  // given, seconds, poses
-  old.erase(old.begin() + begin, old.begin() + end - recorded_speed + 1);
-  old.insert(old.begin() + begin, 2 * sizeof(Pose), 0);
-  old[0] = 2;
-  const auto read = parse_synthesizer_state(old);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->memory.motion.playhead.pair, -1);
-  EXPECT_TRUE(read->memory.partner_is_shown);
-  EXPECT_EQ(read->memory.previous, state.memory.previous);
-  EXPECT_EQ(read->memory.history.size(), state.memory.history.size());
-  auto solver = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
-  solver->restore(*read);
-  EXPECT_NE(solver->step(test::swinging_take("user", 2, 4).a.poses[0], Duration(1.0 / 60)).status,
-            StepStatus::Failed);
-}
-
-TEST(SynthesizerStateBytes, OfTheVersionWhosePlaceWasTheRootsGoOnFromWhatIsShown) {
-  const SynthesizerState state = used_state();
-  const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
-  const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
-  auto old = bytes_without_bodies(state);
-  old.erase(old.begin() + begin, old.begin() + end - recorded_speed);
-  // Two more poses of the adaptation; no lead of the feet and its speed, pace of holds and steady hands.
-  const auto size = static_cast<std::size_t>(end - recorded_speed - begin) + 2 * sizeof(Pose) -
-                    (4 * 3 + 4 + 2 * 9) * sizeof(double) - 2;
-  old.insert(old.begin() + begin, size, 0);
-  old[0] = 3;
-  const auto read = parse_synthesizer_state(old);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->memory.motion.playhead.pair, -1);
-  EXPECT_EQ(read->memory.partner_is_shown, state.memory.partner_is_shown);
-  EXPECT_EQ(read->memory.user.seen(), state.memory.user.seen());
-  EXPECT_EQ(read->unsolved_s, state.unsolved_s);
-  auto solver = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
-  solver->restore(*read);
-  EXPECT_NE(solver->step(test::swinging_take("user", 2, 4).a.poses[0], Duration(1.0 / 60)).status,
-            StepStatus::Failed);
-}
-
-TEST(SynthesizerStateBytes, OfTheVersionWithoutSteadyHandsHaveAllElse) {
-  const SynthesizerState state = used_state();
-  const auto pace = place_of(state, [](auto& s) {
-    auto holds = s.memory.motion.holds.pairs();
-    // Every byte of the number is another one, so that the first that differs is where it begins.
-    holds[0].ramp_pace = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(holds[0].ramp_pace));
-    s.memory.motion.holds =
-        HandHolds(holds, s.memory.motion.holds.arms(), s.memory.motion.holds.user_hands());
-  });
-  const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
-  constexpr std::size_t hold = 2 + 17 * sizeof(double), hands = 2 * (1 + 9 * sizeof(double));
-  auto old = bytes_without_bodies(state);
-  const std::ptrdiff_t hands_end = end - recorded_speed;
-  old.erase(old.begin() + hands_end - static_cast<std::ptrdiff_t>(hands), old.begin() + hands_end);
-  for (std::size_t p = 4; p-- > 0;) {
-    const std::ptrdiff_t at = pace - recorded_speed + static_cast<std::ptrdiff_t>(p * hold);
-    old.erase(old.begin() + at, old.begin() + at + static_cast<std::ptrdiff_t>(sizeof(double)));
-  }
-  old[0] = 4;
-  const auto read = parse_synthesizer_state(old);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->memory.motion.playhead.pair, state.memory.motion.playhead.pair);
-  EXPECT_EQ(read->memory.motion.holds.pairs()[3].asked_speed,
-            state.memory.motion.holds.pairs()[3].asked_speed);
-  EXPECT_FALSE(read->memory.motion.holds.user_hands()[0].is_seen);
-  EXPECT_EQ(read->unsolved_s, state.unsolved_s);
 }
 
 TEST(SynthesizerStateBytes, ADamagedHistoryIsRefused) {

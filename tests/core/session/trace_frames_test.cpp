@@ -47,9 +47,9 @@ std::string trace_of(const std::vector<double>& times_s) {
 
 class TraceFile : public testing::Test {
  protected:
-  Result<TraceFrames> opened(const std::string& text) {
+  Result<TraceFrames> opened(const std::string& text, const Progress& progress = {}) {
     std::ofstream(file_, std::ios::binary) << text;
-    return TraceFrames::open(file_, {});
+    return TraceFrames::open(file_, progress);
   }
   std::string refusal(const std::string& text) {
     const auto trace = opened(text);
@@ -127,9 +127,7 @@ TEST_F(TraceFile, ThatIsBrokenIsRefusedWithItsLine) {
 }
 
 TEST_F(TraceFile, StopsWhenItIsToldTo) {
-  std::ofstream(std::filesystem::path(testing::TempDir()) / "stop.jsonl") << trace_of({0, 1, 2});
-  const auto trace = TraceFrames::open(std::filesystem::path(testing::TempDir()) / "stop.jsonl",
-                                       [](double, std::string_view) { return false; });
+  const auto trace = opened(trace_of({0, 1, 2}), [](double, std::string_view) { return false; });
   ASSERT_FALSE(trace);
   EXPECT_THAT(trace.error().text(), HasSubstr("cancelled"));
 }

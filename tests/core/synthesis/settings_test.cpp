@@ -160,18 +160,6 @@ TEST(Settings, TheMethodOfSelectionIsSaidByName) {
   EXPECT_EQ(read->switch_margin, 0.05);
 }
 
-TEST(Settings, TheSelectionByIntentIsReadByItsFormerNameAndSaidByThePresentOne) {
-  Settings settings;
-  ASSERT_TRUE(set_setting(settings, "selection", "filter").ok());
-  EXPECT_EQ(settings.selection, SelectionMethod::Intent);
-  EXPECT_EQ(setting_text(settings, "selection"), "intent");
-  const auto read = parse_settings(R"({"selection": "filter"})", Settings{}, "old.json");
-  ASSERT_TRUE(read.ok());
-  EXPECT_EQ(read->selection, SelectionMethod::Intent);
-  EXPECT_THAT(settings_json(*read), testing::HasSubstr(R"("selection":"intent")"));
-  EXPECT_FALSE(set_setting(settings, "playback", "filter").ok());
-}
-
 TEST(Settings, EachMethodOfSelectionHasItsOwnWeightsAndTheRestIsOfBoth) {
   Settings paper, intent;
   intent.selection = SelectionMethod::Intent;
