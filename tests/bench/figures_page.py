@@ -1,0 +1,383 @@
+"""docs/figures.md out of what was measured. No side effects, and no measure of its own: every figure is a key of a JSON file."""
+
+import hashlib
+
+import table
+
+# The runs of `tests/bench/figures --measure`, in the order in which the page names them, and their parts of `abrazo evaluate`.
+PRESETS = ("responsive", "paper")
+GENERATED = {"dance": "salsa", "fight": "fight"}  # the set, its style
+SETS = {"salsa": "Captured salsa", "dance": "Generated dance", "fight": "Generated fight"}
+SEED, MINUTES = 5, 3
+RUNS = {
+    "salsa-responsive": ["moves", "zmp", "contact", "published"],
+    "salsa-paper": ["selection", "timing", "moves", "zmp", "contact", "published"],
+    "dance-responsive": ["moves", "zmp", "contact"],
+    "dance-paper": ["moves", "zmp", "contact"],
+    "fight-responsive": ["moves", "zmp", "contact"],
+    "fight-paper": ["moves", "zmp", "contact"],
+    "salsa-bodies": ["bodies"],
+    "salsa-labels": [], "dance-labels": [], "fight-labels": [],  # of `abrazo suggest --agreement`
+}
+
+# (title, unit, scale, path of ours in report.json, path of the captured partner's or its value, goal on captured salsa)
+MOVEMENT = [
+    ("partner error, mean", "m", 1, "movement.partner_error_m", None, "0.26"),
+    ("speed, 99th percentile", "m/s", 1, "movement.speed_p99_m_per_s.synthesised", "movement.speed_p99_m_per_s.captured", "1.9"),
+    ("acceleration, times the captured", "", 1, "movement.acceleration_ratio", 1, "1.4"),
+    ("sliding of landed feet, mean", "m/s", 1, "movement.slide_m_per_s.synthesised", "movement.slide_m_per_s.captured", "0.20"),
+    ("sliding, share faster than 0.3 m/s", "%", 100, "movement.slide_share_fast.synthesised", "movement.slide_share_fast.captured",
+     "15"),
+    ("hover of locked feet, 90th percentile", "mm", 1000, "movement.hover_p90_m", None, "15"),
+    ("holds of the selected pair: change, mean", "mm", 1000, "movement.hold_change_mean_m", None, "15"),
+    ("holds of the capture that are held", "%", 100, "movement.captured_holds_held", 100, "at least 70"),
+    ("lag", "ms", 1000, "movement.lag_s", 0, "40"),
+    ("changes of source", "1/s", 1, "movement.changes_per_s", None, "1.5"),
+    ("step at a change, largest", "cm", 100, "movement.step_at_change_max_m", None, "1"),
+    ("successful moves", "%", 100, "moves.rate", None, "at least 85"),
+    ("ZMP error of both bodies, times the captured", "", 1, "zmp.common_frames.ratio", 1, "2"),
+    ("ZMP error of the partner, times the captured", "", 1, "zmp.partner_common_frames.ratio", 1, None),
+    ("penetration beyond the selected pair's, 99th percentile", "mm", 1000, "contact.penetration_excess_p99_m", None, None),
+]
+# (key, title, better, unit, scale) of "published"
+PUBLISHED = [
+    ("mpjpe_m", "MPJPE", "lower", "mm", 1000), ("mpjve_m", "MPJVE, per frame", "lower", "mm", 1000),
+    ("foot_sliding_m", "foot sliding, per frame", "as recorded", "cm", 100), ("skating_share", "skating frames", "lower", "%", 100),
+    ("jitter_10_m_s3", "jitter", "as recorded", "10 m/s³", 1), ("penetration_share", "frames with penetration", "lower", "%", 100),
+    ("penetration_depth_m", "depth of penetration, mean", "lower", "mm", 1000),
+    ("contact_precision", "contact, precision", "higher", "%", 100), ("contact_recall", "contact, recall", "higher", "%", 100),
+    ("contact_f1", "contact, F1", "higher", "%", 100), ("turned_away_share", "frames turned away", "as recorded", "%", 100),
+    ("beat_echo_degree", "beat echo degree", "higher", "", 1), ("fid_cd", "FID of cross-distances", "lower", "", 1),
+    ("diversity", "diversity of cross-distances", "as recorded", "", 1),
+]
+# What the paper prints (core/evaluation/report/html_paper.hpp has the same; a test compares).
+PAPER_RECALL = {5: (0.9285, 0.9573), 10: (0.9507, 0.9773), 15: (0.9654, 0.9875), 20: (0.9787, 0.9898), 25: (0.9809, 0.9898),
+                30: (0.9875, 0.9920), 35: (0.9875, 0.9920), 40: (0.9875, 0.9920), 45: (0.9920, 0.9942), 50: (0.9920, 0.9942)}
+PAPER_TIMES_MS = {7500: (12.4, 40.5), 15000: (13.6, 77.0), 30000: (15.0, 145.2)}
+PAPER_MOVES = [("salsa dance, leave one out (expert)", 27, 26), ("salsa dance, user A (beginner)", 40, 34),
+               ("salsa dance, user B (beginner)", 31, 26), ("fighting, leave one out (expert)", 26, 24)]
+PAPER_ZMP = {"salsa dance": (0.70, 0.72), "fighting": (2.24, 2.21)}
+
+SECTIONS = ["Runs", "One solve", "Linear systems", "Nearest poses", "Tetrahedra and library", "3-D view", "Packet to packet",
+            "An hour live", "Movement of the partner", "The paper's tables", "Figures of the literature", "Other bodies",
+            "Suggested labels", "Sizes and limits"]
+HEAD = """# Figures
+
+Written by `tests/bench/figures`; do not edit. [Benchmarks](benchmarks.md) says how these figures are measured and how to write this
+page again; the [guide](guide/evaluation.md#metrics) defines the metrics.
+"""
+SEAL = "<!-- sha256 of all above: "
+
+
+class Missing(Exception):
+    """A figure that the page needs is in none of the files."""
+
+
+def value(report, path):
+    """What stands at "a.b.c"; None where it could not be measured."""
+    found = report
+    for key in path.split("."):
+        if not isinstance(found, dict) or key not in found:
+            raise Missing(f"there is no {path}")
+        found = found[key]
+    return found
+
+
+def number(figure, scale=1):
+    """Three digits; nothing is a dash."""
+    if figure is None:
+        return "-"
+    scaled = figure * scale
+    return "0" if abs(scaled) < 5e-4 else table.number(scaled)
+
+
+def thousands(count):
+    return f"{count:,}".replace(",", " ")
+
+
+def rows_of(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def anchor(title):
+    return "".join(c for c in title.lower() if c.isalnum() or c in " -").replace(" ", "-")
+
+
+# Speed ----------------------------------------------------------------------------------------------------------------------
+
+class Bench:
+    """table.json of tests/bench/run."""
+
+    def __init__(self, content):
+        self.about, self.ratios, self.figures = content["machine"], content["ratios"], content["figures"]
+
+    def figure(self, what, needed=True):
+        for row in self.figures:
+            if row["what"] == what:
+                return row["value"]["median"]
+        if needed:
+            raise Missing(f"tests/bench/run measured no \"{what}\"")
+        return None
+
+    def compared(self, group, needed=True):
+        rows = [row for row in self.ratios if row["group"] == group]
+        if needed and not rows:
+            raise Missing(f"tests/bench/run compared nothing of \"{group}\"")
+        return rows
+
+    def group(self, name):
+        return [row for row in self.figures if row["group"] == name]
+
+
+def time_text(us):
+    if us >= 1e6:
+        return f"{number(us, 1e-6)} s"
+    return f"{number(us, 1e-3)} ms" if us >= 1000 else f"{number(us)} us"
+
+
+def one_solve(bench):
+    rows = []
+    for name, what in [("*responsive*, selection by intent", "responsive at 60 Hz"), ("at 120 Hz", "responsive at 120 Hz"),
+                       ("with cold caches", "responsive at 60 Hz, cold caches"),
+                       ("on other bodies", "responsive at 60 Hz, bodies user and 0.85"),
+                       ("*responsive*, selection by Eq. 7", "responsive by Eq. 7 at 60 Hz"),
+                       ("*paper*, 15 Hz", "paper at 15 Hz"), ("*paper*, 60 Hz", "paper at 60 Hz")]:
+        has_goal = "," not in what
+        cells = [number(bench.figure(f"{what}: {which}"), 1e-3) for which in ("p50, processor", "p99, processor", "p50", "p99")]
+        rows.append([name, *cells, "0.5 / 1" if has_goal else ""])
+    stages = []
+    for name, what in [("by intent", "responsive"), ("by Eq. 7", "responsive by Eq. 7")]:
+        stages.append([name, *(number(bench.figure(f"{what} at 60 Hz: p50 of {part}"))
+                               for part in ("retargeting", "selecting", "the mesh", "editing"))])
+    return ("Milliseconds of one whole step, 60 Hz unless another rate is named. Other load is in the clock's times, not in those of the "
+            "processor.\n\n"
+            + rows_of(["", "p50, processor", "p99, processor", "p50, clock", "p99, clock", "goal, p50 / p99"], rows)
+            + "\nStages of a step of *responsive*, medians in microseconds:\n\n"
+            + rows_of(["selection", "retargeting", "selection", "mesh", "editing"], stages))
+
+
+def ratio_rows(rows):
+    out = []
+    for row in rows:
+        if "times" not in row:
+            out.append([row["what"], time_text(row["ours_us"]["median"]), row["other"], "not compared: " + row["error"], "", ""])
+            continue
+        times = row["times"]
+        out.append([row["what"], time_text(row["ours_us"]["median"]), row["other"], time_text(row["other_us"]["median"]),
+                    f"{number(times['median'])} ({number(times['low'])}-{number(times['high'])})", row["goal"] or ""])
+    return rows_of(["", "ours", "compared with", "theirs", "ratio (range by quartiles)", "goal"], out)
+
+
+def linear_systems(bench):
+    errors = [row for row in bench.figures if row["what"].endswith("farthest position")]
+    if not errors:
+        raise Missing("tests/bench/run measured no distance from the solution in extended precision")
+    return (ratio_rows(bench.compared("One solve")) + "\nLargest distance of a position, in nanometres: "
+            + "; ".join(f"{row['what'].removesuffix(', farthest position')} {number(row['value']['median'])}" for row in errors)
+            + f". UMFPACK: {bench.about.get('UMFPACK', 'unknown')}.\n")
+
+
+def nearest_poses(bench):
+    rows = [row for row in bench.compared("Nearest poses") if row["what"].startswith("10 of ")]
+    text = ("The k nearest of all poses of the library, exactly, by FLANN (what libraries in memory use).\n\n" + ratio_rows(rows))
+    queries = [row["what"].removesuffix(": p50") for row in bench.group("Nearest poses") if row["what"].endswith("cm off: p50")]
+    if queries:
+        text += ("\nUsers with offsets on every coordinate, p50 / p99 in microseconds:\n\n"
+                 + rows_of(["", "p50", "p99"], [[what, number(bench.figure(f"{what}: p50")), number(bench.figure(f"{what}: p99"))]
+                                                for what in queries]))
+    return text
+
+
+def tetrahedra_and_library(bench):
+    build = [["built on all cores, by the clock", "15 s"], ["built on one core, by the clock", ""], ["loaded into memory", "500 ms"],
+             ["opened and mapped", ""], ["floor: its bytes read from the page cache", ""]]
+    rows = [[what, time_text(1000 * bench.figure(what.removesuffix(", by the clock"))), goal] for what, goal in build]
+    return (ratio_rows(bench.compared("Tetrahedra")) + f"\nLibrary ({bench.about['library']}) from text files, with TetGen:\n\n"
+            + rows_of(["", "measured", "goal at most"], rows))
+
+
+def view(bench):
+    rows = [[row["what"], number(row["value"]["median"]), row["unit"], f"at least {row['goal']}" if row["goal"] else ""]
+            for row in bench.group("3-D view")]
+    return rows_of(["", "measured", "unit", "goal"], rows) if rows else not_measured("tests/bench/run --only scene")
+
+
+def packets(bench):
+    rows = bench.group("Packet to packet")
+    if not rows:
+        return not_measured("tests/bench/run --only packets")
+    return ("`abrazo live` without a window; poses in and the partner out as VMC over loopback.\n\n"
+            + rows_of(["", "measured", "unit", "goal at most"],
+                      [[row["what"], number(row["value"]["median"]), row["unit"], row["goal"] or ""] for row in rows]))
+
+
+def not_measured(command):
+    return f"Not measured in this run: `{command}`.\n"
+
+
+def hour_live(verdict):
+    if verdict is None:
+        return not_measured("tests/soak/soak 60")
+    marks = {"ok": "yes", "FAILED": "**no**"}
+    rows = []
+    for line in verdict.splitlines():
+        mark, rest = line[:7].strip(), line[9:]
+        what, _, found = rest.partition(": ")
+        rows.append([what, found, marks.get(mark, "")])
+    return "`tests/soak/soak`: the workbench with a stream, sending and recording.\n\n" + rows_of(["", "found", "met"], rows)
+
+
+# Movement and the paper's tables --------------------------------------------------------------------------------------------
+
+def movement(reports):
+    text = ("Each take is answered by all the others, at the rate of the preset (*responsive* 60 Hz, *paper* 15 Hz). Goals are upper bounds "
+            "unless they say otherwise, for *responsive* on captured salsa.\n")
+    for name, title in SETS.items():
+        rows = []
+        for what, unit, scale, path, captured, goal in MOVEMENT:
+            reference = reports[f"{name}-responsive"]
+            beside = ("" if captured is None else number(value(reference, captured), scale) if isinstance(captured, str)
+                      else number(captured))
+            ours = [number(value(reports[f"{name}-{preset}"], path), scale) for preset in PRESETS]
+            rows.append([what + (f" [{unit}]" if unit else ""), *ours, beside, *([goal or ""] if name == "salsa" else [])])
+        head = ["", "`responsive`", "`paper`", "captured partner"] + (["goal"] if name == "salsa" else [])
+        text += f"\n### {title}\n\n" + rows_of(head, rows)
+    return text
+
+
+def percent(share):
+    return "-" if share is None else f"{100 * share:.1f} %"
+
+
+def papers_tables(reports):
+    paper = reports["salsa-paper"]
+    recall = [[row["k"], percent(row["recall_best"]), percent(row["recall_best2"]),
+               *(percent(share) for share in PAPER_RECALL.get(row["k"], (None, None)))] for row in value(paper, "selection")]
+    times = [[thousands(row["pairs"]), number(row["knn_us"], 1e-3), number(row["brute_us"], 1e-3),
+              *PAPER_TIMES_MS.get(row["pairs"], ("", ""))] for row in value(paper, "timing")]
+    moves = [[f"{SETS[name].lower()}, `{preset}`", value(reports[f"{name}-{preset}"], "moves.total"),
+              value(reports[f"{name}-{preset}"], "moves.successful"), percent(value(reports[f"{name}-{preset}"], "moves.rate")),
+              percent(value(reports[f"{name}-{preset}"], "moves.lenient_rate"))] for name in SETS for preset in PRESETS]
+    moves += [[f"paper: {what}", total, successful, percent(successful / total), ""] for what, total, successful in PAPER_MOVES]
+    zmp = []
+    for name in SETS:
+        for preset in PRESETS:
+            found = value(reports[f"{name}-{preset}"], "zmp")
+            zmp.append([f"{SETS[name].lower()}, `{preset}`", number(found["original_asf"]), number(found["synthesised_asf"]),
+                        number(found["ratio"]), number(value(found, "common_frames.ratio"))])
+    zmp += [[f"paper: {what}", original, made, number(made / original), ""] for what, (original, made) in PAPER_ZMP.items()]
+    return ("Table I, recall of the best pair and of either of the best two among the k nearest; captured salsa.\n\n"
+            + rows_of(["k", "best", "best two", "paper: best", "paper: best two"], recall)
+            + "\nTable II, time of one selection in milliseconds.\n\n"
+            + rows_of(["pairs", "k nearest", "brute force", "paper: k nearest", "paper: brute force"], times)
+            + "\nTable III, successful moves.\n\n" + rows_of(["", "moves", "successful", "share", "lenient"], moves)
+            + "\nTable IV, ZMP error of both bodies in ASF units; the last column counts only frames that count in both motions.\n\n"
+            + rows_of(["", "captured", "synthesised", "ratio", "ratio, common frames"], zmp))
+
+
+def literature(reports):
+    rows = []
+    for key, title, better, unit, scale in PUBLISHED:
+        ours = [value(reports[f"salsa-{preset}"], f"published.{key}.synthesised") for preset in PRESETS]
+        others = [value(reports["salsa-responsive"], f"published.{key}.{which}") for which in ("nearest_neighbour", "recording")]
+        rows.append([title + (f" [{unit}]" if unit else ""), better, *(number(figure, scale) for figure in ours + others)])
+    return ("Captured salsa at 30 frames a second. The baselines are those of `responsive`, at 60 Hz. [Comparison](comparison.md) says what can "
+            "be compared.\n\n"
+            + rows_of(["", "better", "`responsive`", "`paper`", "nearest neighbour", "recording"], rows))
+
+
+BASELINES = ("angles_copied", "paper_mesh", "no_mesh")
+
+
+def other_bodies(reports):
+    text = ("Recorded pairs on other bodies, captured salsa. Contact is F1 against the recording, of joints within 15 and 25 cm; sliding, speed "
+            "and acceleration are divided by those of the recording. *Baselines*: F1 within 25 cm of joint angles copied, the paper's mesh and "
+            "no mesh.\n")
+    for method, title in [("retargeted", "Offline (`abrazo retarget`)"), ("live", "Live, without the future")]:
+        rows = []
+        for pair in value(reports["salsa-bodies"], "bodies.pairs"):
+            m = pair[method]
+            rows.append([pair["bodies"], number(m["contact_15cm"]["f1"]), number(m["contact_25cm"]["f1"]),
+                         " / ".join(number(pair[other]["contact_25cm"]["f1"]) for other in BASELINES),
+                         f"{number(m['hold_change_mean_m'], 1000)} / {number(m['hold_change_p95_m'], 1000)}",
+                         number(m["penetration_excess_p99_m"], 1000), number(m["slide_ratio"]), number(m["speed_p99_ratio"]),
+                         number(m["acceleration_p99_ratio"]), number(m["nearest_only"], 100)])
+        text += f"\n{title}:\n\n" + rows_of(
+            ["bodies", "F1 15 cm", "F1 25 cm", "baselines", "hold change, mean / p95 [mm]", "penetration p99 [mm]", "sliding", "speed p99",
+             "acceleration p99", "nearest pose [%]"], rows)
+    return text
+
+
+def suggested_labels(reports):
+    rows = []
+    for name, title in SETS.items():
+        report = reports[f"{name}-labels"]
+        for key, what in [("suggestions", "suggestions"), ("nearest_pose", "label of the nearest pose"), ("majority", "most frequent label")]:
+            found = value(report, key)
+            rows.append([f"{title.lower()}, {what}", percent(found["frame_share"]), f"{found['found']} of {found['moves']}", found["proposed"],
+                         number(found["f1"]), number(found["boundary_median_frames"]),
+                         percent(value(report, "roles.frame_share")) if key == "suggestions" else ""])
+    return ("Each take is suggested from the others, and compared with its annotation.\n\n"
+            + rows_of(["", "frames that agree", "moves found", "suggested", "F1 at IoU 0.5", "boundary error, median [frames]",
+                       "frames with the right active performer"], rows))
+
+
+def sizes(bench, reports):
+    size = bench.about.get("library bytes")
+    if not size:
+        raise Missing("tests/bench/run did not say how large its library is")
+    rows = [[f"library file, {bench.about['library']}", f"{number(size / 1e6)} MB"]]
+    rows += [[f"pairs of the library, {SETS[name].lower()}", thousands(value(reports[f"{name}-responsive"], "library_pairs"))]
+             for name in SETS]
+    return (rows_of(["", "measured"], rows)
+            + "\nLimits are promises and stand where they are kept: [large libraries](library-file.md#large-libraries-are-mapped), "
+            "[session files](session-file.md), [files and packets of strangers](../SECURITY.md), "
+            "[comparable figures](comparison.md#what-cannot).\n")
+
+
+# The page -------------------------------------------------------------------------------------------------------------------
+
+def runs(bench, abouts):
+    rows = [["benchmarks", f"`{bench.about['command']}`", bench.about["library"], bench.about["revision"],
+             bench.about["load before and after (1, 5, 15 min)"]]]
+    rows += [[name, f"`{about['command']}`", about["data"], about["revision"], about["load"]] for name, about in abouts.items()]
+    machines = {}
+    for name, on in [("benchmarks", bench.about["machine"]), *((name, about["machine"]) for name, about in abouts.items())]:
+        machines.setdefault(on, []).append(name)
+    lines = [f"- {on}" + ("" if len(machines) == 1 else f": {', '.join(names)}") for on, names in machines.items()]
+    more = [f"- {key}: {bench.about[key]}" for key in ("compiler", "packages") if bench.about.get(key)]
+    more.append(f"- repetitions of the benchmarks: {bench.about['repetitions']}")
+    return ("A figure of speed is the median of the repetitions. Movement has the same figures on every run; times do not.\n\n"
+            + "\n".join(lines + more) + "\n\n" + rows_of(["run", "command", "data", "revision", "load before and after"], rows))
+
+
+def page(table_json, reports, abouts, verdict=None):
+    """The whole page. @raises Missing with what has to be measured"""
+    for name in RUNS:
+        if name not in reports or name not in abouts:
+            raise Missing(f"the run {name} is not there")
+    bench = Bench(table_json)
+    texts = [runs(bench, abouts), one_solve(bench), linear_systems(bench), nearest_poses(bench), tetrahedra_and_library(bench), view(bench),
+             packets(bench), hour_live(verdict), movement(reports), papers_tables(reports), literature(reports), other_bodies(reports),
+             suggested_labels(reports), sizes(bench, reports)]
+    text = HEAD + "\n" + ", ".join(f"[{title}](#{anchor(title)})" for title in SECTIONS) + "\n"
+    for title, content in zip(SECTIONS, texts, strict=True):
+        text += f"\n## {title}\n\n{content}"
+    return sealed(text + "\n")
+
+
+def sealed(text):
+    return f"{text}{SEAL}{hashlib.sha256(text.encode()).hexdigest()} -->\n"
+
+
+def problems(text):
+    """What is wrong with a page: no section, or a line that the command did not write."""
+    found = [f"there is no section \"{title}\"" for title in SECTIONS if f"\n## {title}\n" not in text]
+    body, mark, _ = text.rpartition(SEAL)
+    if not mark:
+        return found + ["the line with its checksum is missing"]
+    if sealed(body) != text:
+        found.append("it was edited by hand")
+    return found
