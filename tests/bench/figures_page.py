@@ -7,7 +7,7 @@ import table
 # The runs of `tests/bench/figures --measure`, in the order in which the page names them, and their parts of `abrazo evaluate`.
 PRESETS = ("responsive", "paper")
 GENERATED = {"dance": "salsa", "fight": "fight"}  # the set, its style
-SETS = {"salsa": "Captured salsa", "dance": "Generated dance", "fight": "Generated fight"}
+SETS = {"salsa": "captured salsa", "dance": "generated dance", "fight": "generated fight"}
 SEED, MINUTES = 5, 3
 RUNS = {
     "salsa-responsive": ["moves", "zmp", "contact", "published"],
@@ -53,6 +53,7 @@ PUBLISHED = [
 # What the paper prints (core/evaluation/report/html_paper.hpp has the same; a test compares).
 PAPER_RECALL = {5: (0.9285, 0.9573), 10: (0.9507, 0.9773), 15: (0.9654, 0.9875), 20: (0.9787, 0.9898), 25: (0.9809, 0.9898),
                 30: (0.9875, 0.9920), 35: (0.9875, 0.9920), 40: (0.9875, 0.9920), 45: (0.9920, 0.9942), 50: (0.9920, 0.9942)}
+SHOWN_K = (5, 10, 20, 30, 50)
 PAPER_TIMES_MS = {7500: (12.4, 40.5), 15000: (13.6, 77.0), 30000: (15.0, 145.2)}
 PAPER_MOVES = [("salsa dance, leave one out (expert)", 27, 26), ("salsa dance, user A (beginner)", 40, 34),
                ("salsa dance, user B (beginner)", 31, 26), ("fighting, leave one out (expert)", 26, 24)]
@@ -232,49 +233,53 @@ def hour_live(verdict):
 # Movement and the paper's tables --------------------------------------------------------------------------------------------
 
 def movement(reports):
-    text = ("Each take is answered by all the others, at the rate of the preset (*responsive* 60 Hz, *paper* 15 Hz). Goals are upper bounds "
-            "unless they say otherwise, for *responsive* on captured salsa.\n")
-    for name, title in SETS.items():
-        rows = []
-        for what, unit, scale, path, captured, goal in MOVEMENT:
-            reference = reports[f"{name}-responsive"]
-            beside = ("" if captured is None else number(value(reference, captured), scale) if isinstance(captured, str)
-                      else number(captured))
-            ours = [number(value(reports[f"{name}-{preset}"], path), scale) for preset in PRESETS]
-            rows.append([what + (f" [{unit}]" if unit else ""), *ours, beside, *([goal or ""] if name == "salsa" else [])])
-        head = ["", "`responsive`", "`paper`", "captured partner"] + (["goal"] if name == "salsa" else [])
-        text += f"\n### {title}\n\n" + rows_of(head, rows)
-    return text
+    rows = []
+    for what, unit, scale, path, captured, goal in MOVEMENT:
+        cells = []
+        for name in SETS:
+            cells += [number(value(reports[f"{name}-{preset}"], path), scale) for preset in PRESETS]
+            cells.append("" if captured is None else number(captured) if not isinstance(captured, str)
+                         else number(value(reports[f"{name}-responsive"], captured), scale))
+        rows.append([what + (f" [{unit}]" if unit else ""), goal or "", *cells])
+    head = [f"{name}: {which}" for name in SETS for which in (*(f"`{preset}`" for preset in PRESETS), "captured")]
+    return ("Each take is answered by all the others, at the rate of the preset (`responsive` 60 Hz, `paper` 15 Hz). A goal is an upper bound "
+            "unless it says otherwise, for `responsive` on captured salsa.\n\n" + rows_of(["", "goal", *head], rows))
 
 
 def percent(share):
-    return "-" if share is None else f"{100 * share:.1f} %"
+    return "-" if share is None else f"{100 * share:.1f}%"
+
+
+def both(first, second):
+    return f"{first}/{second}"
 
 
 def papers_tables(reports):
     paper = reports["salsa-paper"]
-    recall = [[row["k"], percent(row["recall_best"]), percent(row["recall_best2"]),
-               *(percent(share) for share in PAPER_RECALL.get(row["k"], (None, None)))] for row in value(paper, "selection")]
-    times = [[thousands(row["pairs"]), number(row["knn_us"], 1e-3), number(row["brute_us"], 1e-3),
-              *PAPER_TIMES_MS.get(row["pairs"], ("", ""))] for row in value(paper, "timing")]
-    moves = [[f"{SETS[name].lower()}, `{preset}`", value(reports[f"{name}-{preset}"], "moves.total"),
-              value(reports[f"{name}-{preset}"], "moves.successful"), percent(value(reports[f"{name}-{preset}"], "moves.rate")),
-              percent(value(reports[f"{name}-{preset}"], "moves.lenient_rate"))] for name in SETS for preset in PRESETS]
-    moves += [[f"paper: {what}", total, successful, percent(successful / total), ""] for what, total, successful in PAPER_MOVES]
-    zmp = []
+    recall = [[row["k"], both(percent(row["recall_best"]), percent(row["recall_best2"])),
+               both(*(percent(share) for share in PAPER_RECALL[row["k"]]))] for row in value(paper, "selection") if row["k"] in SHOWN_K]
+    times = [[thousands(row["pairs"]), both(number(row["knn_us"], 1e-3), number(row["brute_us"], 1e-3)),
+              both(*PAPER_TIMES_MS[row["pairs"]])] for row in value(paper, "timing") if row["pairs"] in PAPER_TIMES_MS]
+    if not recall or not times:
+        raise Missing("the run salsa-paper has no row of Table I or II")
+    rows = []
     for name in SETS:
         for preset in PRESETS:
-            found = value(reports[f"{name}-{preset}"], "zmp")
-            zmp.append([f"{SETS[name].lower()}, `{preset}`", number(found["original_asf"]), number(found["synthesised_asf"]),
-                        number(found["ratio"]), number(value(found, "common_frames.ratio"))])
-    zmp += [[f"paper: {what}", original, made, number(made / original), ""] for what, (original, made) in PAPER_ZMP.items()]
-    return ("Table I, recall of the best pair and of either of the best two among the k nearest; captured salsa.\n\n"
-            + rows_of(["k", "best", "best two", "paper: best", "paper: best two"], recall)
-            + "\nTable II, time of one selection in milliseconds.\n\n"
-            + rows_of(["pairs", "k nearest", "brute force", "paper: k nearest", "paper: brute force"], times)
-            + "\nTable III, successful moves.\n\n" + rows_of(["", "moves", "successful", "share", "lenient"], moves)
-            + "\nTable IV, ZMP error of both bodies in ASF units; the last column counts only frames that count in both motions.\n\n"
-            + rows_of(["", "captured", "synthesised", "ratio", "ratio, common frames"], zmp))
+            report = reports[f"{name}-{preset}"]
+            rows.append([f"{name}, `{preset}`", f"{value(report, 'moves.successful')} of {value(report, 'moves.total')}",
+                         percent(value(report, "moves.rate")), percent(value(report, "moves.lenient_rate")),
+                         number(value(report, "zmp.original_asf")), number(value(report, "zmp.synthesised_asf")),
+                         number(value(report, "zmp.ratio")), number(value(report, "zmp.common_frames.ratio"))])
+    rows += [[f"paper: {what}", f"{successful} of {total}", percent(successful / total), "", *[""] * 4]
+             for what, total, successful in PAPER_MOVES]
+    rows += [[f"paper: {what}", "", "", "", number(original), number(made), number(made / original), ""]
+             for what, (original, made) in PAPER_ZMP.items()]
+    return ("Tables I and II, captured salsa: recall of the best pair/of either of the best two among the k nearest; time of one selection by "
+            "k nearest/by brute force.\n\n"
+            + rows_of(["k", "recall", "of the paper"], recall) + "\n" + rows_of(["pairs", "ms", "of the paper"], times)
+            + "\nTables III and IV: successful moves (lenient: also by the alternative label), and ZMP error of both bodies in ASF units. "
+            "*Common* counts only frames that count in both motions.\n\n"
+            + rows_of(["", "moves", "share", "lenient", "ZMP captured", "synthesised", "ratio", "ratio, common"], rows))
 
 
 def literature(reports):
@@ -289,38 +294,34 @@ def literature(reports):
 
 
 BASELINES = ("angles_copied", "paper_mesh", "no_mesh")
+BODY_COLUMNS = [("hold change [mm]", "hold_change_mean_m", 1000), ("penetration p99 [mm]", "penetration_excess_p99_m", 1000),
+                ("sliding", "slide_ratio", 1), ("speed p99", "speed_p99_ratio", 1), ("acceleration p99", "acceleration_p99_ratio", 1)]
 
 
 def other_bodies(reports):
-    text = ("Recorded pairs on other bodies, captured salsa. Contact is F1 against the recording, of joints within 15 and 25 cm; sliding, speed "
-            "and acceleration are divided by those of the recording. *Baselines*: F1 within 25 cm of joint angles copied, the paper's mesh and "
-            "no mesh.\n")
-    for method, title in [("retargeted", "Offline (`abrazo retarget`)"), ("live", "Live, without the future")]:
-        rows = []
-        for pair in value(reports["salsa-bodies"], "bodies.pairs"):
-            m = pair[method]
-            rows.append([pair["bodies"], number(m["contact_15cm"]["f1"]), number(m["contact_25cm"]["f1"]),
-                         " / ".join(number(pair[other]["contact_25cm"]["f1"]) for other in BASELINES),
-                         f"{number(m['hold_change_mean_m'], 1000)} / {number(m['hold_change_p95_m'], 1000)}",
-                         number(m["penetration_excess_p99_m"], 1000), number(m["slide_ratio"]), number(m["speed_p99_ratio"]),
-                         number(m["acceleration_p99_ratio"]), number(m["nearest_only"], 100)])
-        text += f"\n{title}:\n\n" + rows_of(
-            ["bodies", "F1 15 cm", "F1 25 cm", "baselines", "hold change, mean / p95 [mm]", "penetration p99 [mm]", "sliding", "speed p99",
-             "acceleration p99", "nearest pose [%]"], rows)
-    return text
+    rows = []
+    for pair in value(reports["salsa-bodies"], "bodies.pairs"):
+        ours = (pair["retargeted"], pair["live"])
+        rows.append([pair["bodies"], both(*(number(m["contact_25cm"]["f1"]) for m in ours)),
+                     number(max(pair[other]["contact_25cm"]["f1"] for other in BASELINES)),
+                     *(both(*(number(m[key], scale) for m in ours)) for _, key, scale in BODY_COLUMNS)])
+    return ("Recorded pairs on other bodies, captured salsa, offline (`abrazo retarget`)/live without the future. Contact is F1 against the "
+            "recording, of joints within 25 cm, beside the best baseline (joint angles copied, the paper's mesh, no mesh); sliding, speed and "
+            "acceleration are divided by those of the recording.\n\n"
+            + rows_of(["bodies", "contact", "baseline", *(title for title, _, _ in BODY_COLUMNS)], rows))
 
 
 def suggested_labels(reports):
+    ways = ("suggestions", "nearest_pose", "majority")
     rows = []
-    for name, title in SETS.items():
-        report = reports[f"{name}-labels"]
-        for key, what in [("suggestions", "suggestions"), ("nearest_pose", "label of the nearest pose"), ("majority", "most frequent label")]:
-            found = value(report, key)
-            rows.append([f"{title.lower()}, {what}", percent(found["frame_share"]), f"{found['found']} of {found['moves']}", found["proposed"],
-                         number(found["f1"]), number(found["boundary_median_frames"]),
-                         percent(value(report, "roles.frame_share")) if key == "suggestions" else ""])
-    return ("Each take is suggested from the others, and compared with its annotation.\n\n"
-            + rows_of(["", "frames that agree", "moves found", "suggested", "F1 at IoU 0.5", "boundary error, median [frames]",
+    for name in SETS:
+        found = [value(reports[f"{name}-labels"], way) for way in ways]
+        rows.append([name, "/".join(percent(way["frame_share"]) for way in found),
+                     "/".join(str(way["found"]) for way in found) + f" of {found[0]['moves']}", "/".join(number(way["f1"]) for way in found),
+                     number(found[0]["boundary_median_frames"]), percent(value(reports[f"{name}-labels"], "roles.frame_share"))])
+    return ("Each take is suggested from the others and compared with its annotation: suggestions/label of the nearest pose/most frequent "
+            "label.\n\n"
+            + rows_of(["", "frames that agree", "moves found", "F1 at IoU 0.5", "boundary error, median [frames]",
                        "frames with the right active performer"], rows))
 
 
@@ -329,7 +330,7 @@ def sizes(bench, reports):
     if not size:
         raise Missing("tests/bench/run did not say how large its library is")
     rows = [[f"library file, {bench.about['library']}", f"{number(size / 1e6)} MB"]]
-    rows += [[f"pairs of the library, {SETS[name].lower()}", thousands(value(reports[f"{name}-responsive"], "library_pairs"))]
+    rows += [[f"pairs of the library, {SETS[name]}", thousands(value(reports[f"{name}-responsive"], "library_pairs"))]
              for name in SETS]
     return (rows_of(["", "measured"], rows)
             + "\nLimits are promises and stand where they are kept: [large libraries](library-file.md#large-libraries-are-mapped), "
