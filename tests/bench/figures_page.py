@@ -215,6 +215,7 @@ def packets(bench):
 
 
 def not_measured(command):
+    """For what may be left out: it needs a display, or an hour."""
     return f"Not measured in this run: `{command}`.\n"
 
 
@@ -341,32 +342,60 @@ def sizes(bench, reports):
 # The page -------------------------------------------------------------------------------------------------------------------
 
 def runs(bench, abouts):
-    rows = [["benchmarks", f"`{bench.about['command']}`", bench.about["library"], bench.about["revision"],
-             bench.about["load before and after (1, 5, 15 min)"]]]
-    rows += [[name, f"`{about['command']}`", about["data"], about["revision"], about["load"]] for name, about in abouts.items()]
-    machines = {}
-    for name, on in [("benchmarks", bench.about["machine"]), *((name, about["machine"]) for name, about in abouts.items())]:
-        machines.setdefault(on, []).append(name)
+    if bench is None and not abouts:
+        raise Missing("neither tests/bench/run nor tests/bench/figures --measure was run")
+    rows, machines, more = [], {}, []
+    if bench is not None:
+        about = bench.about
+        rows.append(["benchmarks", f"`{about['command']}`", about["library"], about["revision"], about["load before and after (1, 5, 15 min)"]])
+        machines[about["machine"]] = ["benchmarks"]
+        more = [f"- {key}: {about[key]}" for key in ("compiler", "packages") if about.get(key)]
+        more.append(f"- repetitions of the benchmarks: {about['repetitions']}")
+    for name, about in abouts.items():
+        rows.append([name, f"`{about['command']}`", about["data"], about["revision"], about["load"]])
+        machines.setdefault(about["machine"], []).append(name)
     lines = [f"- {on}" + ("" if len(machines) == 1 else f": {', '.join(names)}") for on, names in machines.items()]
-    more = [f"- {key}: {bench.about[key]}" for key in ("compiler", "packages") if bench.about.get(key)]
-    more.append(f"- repetitions of the benchmarks: {bench.about['repetitions']}")
     return ("A figure of speed is the median of the repetitions. Movement has the same figures on every run; times do not.\n\n"
             + "\n".join(lines + more) + "\n\n" + rows_of(["run", "command", "data", "revision", "load before and after"], rows))
 
 
-def page(table_json, reports, abouts, verdict=None):
-    """The whole page. @raises Missing with what has to be measured"""
+UNMEASURED = "Not measured: "
+
+
+class Partial(dict):
+    """Runs by name, of which some may not be there."""
+
+    def __missing__(self, name):
+        raise Missing(f"the run {name} is not there")
+
+
+def page(table_json, reports, abouts, verdict=None, is_partial=False):
+    """The whole page; a partial one says in a section what has to be measured. @raises Missing with the same"""
+    reports = Partial(reports)
+    bench = Bench(table_json) if table_json else None
+    made = [lambda: runs(bench, abouts), *(lambda part=part: of_bench(part, bench) for part in (
+        one_solve, linear_systems, nearest_poses, tetrahedra_and_library, view, packets)), lambda: hour_live(verdict),
+        *(lambda part=part: part(reports) for part in (movement, papers_tables, literature, other_bodies, suggested_labels)),
+        lambda: sizes(of_bench(lambda found: found, bench), reports)]
     for name in RUNS:
-        if name not in reports or name not in abouts:
+        if not is_partial and name not in abouts:
             raise Missing(f"the run {name} is not there")
-    bench = Bench(table_json)
-    texts = [runs(bench, abouts), one_solve(bench), linear_systems(bench), nearest_poses(bench), tetrahedra_and_library(bench), view(bench),
-             packets(bench), hour_live(verdict), movement(reports), papers_tables(reports), literature(reports), other_bodies(reports),
-             suggested_labels(reports), sizes(bench, reports)]
     text = HEAD + "\n" + ", ".join(f"[{title}](#{anchor(title)})" for title in SECTIONS) + "\n"
-    for title, content in zip(SECTIONS, texts, strict=True):
+    for title, make in zip(SECTIONS, made, strict=True):
+        try:
+            content = make()
+        except Missing as missing:
+            if not is_partial:
+                raise
+            content = f"{UNMEASURED}{missing}.\n"
         text += f"\n## {title}\n\n{content}"
     return sealed(text + "\n")
+
+
+def of_bench(part, bench):
+    if bench is None:
+        raise Missing("there is no table of tests/bench/run")
+    return part(bench)
 
 
 def sealed(text):
@@ -382,3 +411,8 @@ def problems(text):
     if sealed(body) != text:
         found.append("it was edited by hand")
     return found
+
+
+def unmeasured(text):
+    """Sections of a partial page that have no figures."""
+    return [title for title in SECTIONS if f"\n## {title}\n\n{UNMEASURED}" in text]

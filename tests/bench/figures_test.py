@@ -160,6 +160,30 @@ class Page(unittest.TestCase):
             figures_page.page(table_json, reports, abouts)
 
 
+class PartialPage(unittest.TestCase):
+    def test_says_in_a_section_which_run_is_missing_and_has_all_others(self):
+        table_json, reports, abouts = everything()
+        del reports["salsa-bodies"], abouts["salsa-bodies"]
+        text = figures_page.page(table_json, reports, abouts, is_partial=True)
+        self.assertIn("Not measured: the run salsa-bodies is not there.", text.split("## Other bodies")[1])
+        self.assertEqual(figures_page.unmeasured(text), ["Other bodies"])
+        self.assertEqual(figures_page.problems(text), [])
+
+    def test_names_the_runs_that_are_there(self):
+        _, reports, abouts = everything()
+        text = figures_page.page(None, reports, abouts, is_partial=True)
+        self.assertIn("r1", line_with(text, "| salsa-paper |"))
+        self.assertNotIn("Runs", figures_page.unmeasured(text))
+
+    def test_needs_nothing(self):
+        text = figures_page.page(None, {}, {}, is_partial=True)
+        self.assertIn("there is no table of tests/bench/run", text.split("## One solve")[1])
+        self.assertEqual(figures_page.problems(text), [])
+
+    def test_is_told_from_a_whole_one(self):
+        self.assertEqual(figures_page.unmeasured(figures_page.page(*everything())), [])
+
+
 class Check(unittest.TestCase):
     def test_finds_a_figure_that_was_edited(self):
         text = figures_page.page(*everything()).replace("0.390", "0.190", 1)
@@ -219,6 +243,13 @@ class Command(unittest.TestCase):
         self.assertIn("the run fight-responsive is not there", answer.stderr)
         self.assertEqual(self.page.read_text(), "before")
         self.assertFalse(self.page.with_suffix(".tmp").exists())
+
+    def test_writes_a_partial_page_when_asked_and_its_check_says_so(self):
+        (self.folder / "fight-responsive" / "run.json").unlink()
+        self.assertEqual(self.run_with("--partial").returncode, 0)
+        answer = self.run_with("--check")
+        self.assertEqual(answer.returncode, 77)
+        self.assertIn('"Movement of the partner" is not measured', answer.stderr)
 
     def test_fails_its_check_for_an_edited_page(self):
         self.run_with()
