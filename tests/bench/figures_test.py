@@ -262,5 +262,72 @@ class Command(unittest.TestCase):
         self.assertIn("--manifest", self.run_with("--measure").stderr)
 
 
+class Measure(unittest.TestCase):
+    """With a program in place of abrazo that notes its words and writes what it is to write."""
+
+    PROGRAM = """#!/usr/bin/python3
+import json, pathlib, sys
+words = sys.argv[1:]
+with open(pathlib.Path(__file__).with_name("words"), "a") as out:
+    print(*words, file=out)
+if words[0] == "demo":
+    folder = pathlib.Path(words[words.index("-o") + 1])
+    folder.mkdir()
+    (folder / "manifest.json").write_text("{}")
+else:
+    name = "agreement.json" if words[0] == "suggest" else "report.json"
+    (pathlib.Path(words[words.index("--report") + 1]) / name).write_text(json.dumps({"takes": ["a", "b"]}))
+"""
+
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.program = self.folder / "abrazo"
+        self.program.write_text(self.PROGRAM)
+        self.program.chmod(0o755)
+        (self.folder / "takes.json").write_text("{}")
+
+    def measure(self, *words):
+        return subprocess.run([sys.executable, COMMAND, "--measure", "--partial", "--manifest", self.folder / "takes.json", "--abrazo", self.program,
+                               "--out", self.folder / "runs", "--page", self.folder / "figures.md", "--bench", self.folder / "none",
+                               "--soak", self.folder / "none", *words], capture_output=True, text=True)
+
+    def words(self):
+        return (self.folder / "words").read_text().splitlines()
+
+    def test_evaluates_both_presets_on_the_captured_and_the_generated_takes(self):
+        self.measure()
+        evaluated = [line for line in self.words() if line.startswith("evaluate")]
+        for preset in figures_page.PRESETS:
+            self.assertEqual(sum(f"--preset {preset}" in line for line in evaluated), len(figures_page.SETS))
+        self.assertEqual(sum("takes.json" in line for line in evaluated), 3)
+        self.assertTrue(all(("--both-roles" in line) == ("fight" in line) for line in evaluated))
+
+    def test_generates_each_set_once(self):
+        self.measure()
+        self.assertEqual(sum(line.startswith("demo") for line in self.words()), len(figures_page.GENERATED))
+
+    def test_notes_the_command_of_a_run_without_folders(self):
+        self.measure("--only", "salsa-paper")
+        noted = json.loads((self.folder / "runs/salsa-paper/run.json").read_text())
+        self.assertTrue(noted["command"].startswith("abrazo evaluate selection timing"), noted["command"])
+        self.assertNotIn("/", noted["command"])
+        self.assertEqual(noted["data"], "2 captured takes")
+
+    def test_repeats_no_run_of_the_present_revision_unless_it_is_named(self):
+        self.measure()
+        first = len(self.words())
+        self.measure()
+        self.assertEqual(len(self.words()), first)
+        self.measure("--only", "fight-paper")
+        self.assertEqual(len(self.words()), first + 1)
+
+    def test_stops_at_a_run_that_fails_and_keeps_no_note_of_it(self):
+        self.program.write_text("#!/bin/sh\nexit 3\n")
+        answer = self.measure("--only", "salsa-paper")
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("salsa-paper could not be measured", answer.stderr)
+        self.assertFalse((self.folder / "runs/salsa-paper/run.json").exists())
+
+
 if __name__ == "__main__":
     unittest.main()
