@@ -18,7 +18,7 @@ def first_line(path, key):
 
 
 def name():
-    return f"{first_line('/proc/cpuinfo', 'model name')}, {len(os.sched_getaffinity(0))} cores, {platform.release()}"
+    return f"{first_line('/proc/cpuinfo', 'model name')}, {len(os.sched_getaffinity(0))} cores, Linux {platform.release().split('-')[0]}"
 
 
 def load():
