@@ -93,6 +93,13 @@ class Figures(unittest.TestCase):
         self.assertIs(only(rows, what="paper at 60 Hz: p50")["met"], True)
         self.assertIs(only(rows, what="paper at 60 Hz: p99")["met"], False)
 
+    def test_of_steps_with_cold_caches_or_other_bodies_have_no_goal(self):
+        rows = table.figure_rows(measured(
+            runs("step/responsive/60 Hz, cold caches/iterations:1/manual_time", [1], p99_us=1100),
+            runs("step/responsive/60 Hz, bodies user and 0.85/iterations:1/manual_time", [1], p99_us=1100)))
+        self.assertIsNone(only(rows, what="responsive at 60 Hz, cold caches: p99")["met"])
+        self.assertIsNone(only(rows, what="responsive at 60 Hz, bodies user and 0.85: p99")["met"])
+
     def test_of_pictures_are_good_above_their_goal(self):
         rows = table.figure_rows(measured(runs("scene/as at the start/1280x720/iterations:1/real_time", [1], pictures_per_s=31)))
         self.assertIs(only(rows, unit="1/s")["met"], True)

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "core/annotation/annotations.hpp"
+#include "widgets/common/annotation_types.hpp"
 #include "widgets/common/palette.hpp"
 
 class QButtonGroup;
@@ -17,8 +17,6 @@ class QTableWidget;
 class QTableWidgetItem;
 class QToolButton;
 class QVBoxLayout;
-
-Q_DECLARE_METATYPE(abrazo::Conflict)
 
 namespace abrazo::widgets {
 

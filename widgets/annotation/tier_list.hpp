@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "core/annotation/annotations.hpp"
+#include "widgets/common/annotation_types.hpp"
 #include "widgets/common/palette.hpp"
 
 class QListWidget;

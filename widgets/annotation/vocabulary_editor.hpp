@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/annotation/annotations.hpp"
+#include "widgets/common/annotation_types.hpp"
 #include "widgets/common/palette.hpp"
 
 class QLabel;

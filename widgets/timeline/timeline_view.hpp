@@ -6,12 +6,12 @@
 
 #include "core/session/frames/frame_gaps.hpp"
 #include "core/session/frames/frame_history.hpp"
+#include "widgets/common/annotation_types.hpp"
 #include "widgets/timeline/timeline_content.hpp"
 #include "widgets/timeline/timeline_hit.hpp"
 
 class QScrollBar;
 
-Q_DECLARE_METATYPE(abrazo::Annotations)
 Q_DECLARE_METATYPE(abrazo::Markers)
 
 namespace abrazo::widgets {
