@@ -3,6 +3,7 @@
 #include <QListWidget>
 
 #include "widgets/annotation/problem_fixes.hpp"
+#include "widgets/common/annotation_types.hpp"
 
 namespace abrazo::widgets {
 
