@@ -31,6 +31,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/motion/bvh/bvh.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/body_box.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -344,8 +345,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
 }  // namespace abrazo::app
 
 int main(int argc, char** argv) {
-  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  widgets::use_small_pixels();
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   const QStringList words = QApplication::arguments();

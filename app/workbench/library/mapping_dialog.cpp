@@ -68,10 +68,10 @@ class PointCompleter : public QCompleter {
 
  private:
   /// Where the last name begins.
-  static int begin(const QString& typed) {
-    const int plus = typed.lastIndexOf(" + ");
-    const int term = plus < 0 ? 0 : plus + 3;
-    const int blank = typed.indexOf(' ', term);
+  static QString::size_type begin(const QString& typed) {
+    const auto plus = typed.lastIndexOf(" + ");
+    const auto term = plus < 0 ? 0 : plus + 3;
+    const auto blank = typed.indexOf(' ', term);
     bool is_weight = false;
     if (blank > 0) (void)typed.mid(term, blank - term).toDouble(&is_weight);
     return is_weight ? blank + 1 : term;

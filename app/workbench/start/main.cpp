@@ -22,6 +22,7 @@
 #include "core/opening/generated_set.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/qt_versions.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
@@ -47,8 +48,7 @@ QStringList asked_files(const app::CommandLine& asked) {
 }
 
 void set_up_toolkit() {
-  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  widgets::use_small_pixels();
   QApplication::setApplicationName("abrazo");
   QGuiApplication::setDesktopFileName("abrazo");  // what a Wayland desktop finds the icon by
 }
