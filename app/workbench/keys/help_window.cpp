@@ -219,7 +219,7 @@ void HelpWindow::search(const QString& typed) {
     int hits = 0;
     bool has_all = true;
     for (const QString& word : words) {
-      const int here = each.words.count(word, Qt::CaseInsensitive) +
+      const int here = static_cast<int>(each.words.count(word, Qt::CaseInsensitive)) +
                        (each.title.contains(word, Qt::CaseInsensitive) ? in_title : 0);
       has_all = has_all && here > 0;
       hits += here;

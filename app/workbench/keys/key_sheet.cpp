@@ -66,7 +66,7 @@ QString key_sheet(const ShortcutTable& table, const widgets::Palette& colours, i
     const auto shortest =
         static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
     cells[shortest] += html_of(block, colours);
-    lengths[shortest] += block.rows.size() + 3;
+    lengths[shortest] += static_cast<int>(block.rows.size()) + 3;
   }
   QString html;
   for (const QString& cell : cells) html += "<td>" + cell + "</td><td width=32></td>";

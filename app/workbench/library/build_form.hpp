@@ -8,8 +8,6 @@
 class QComboBox;
 class QSpinBox;
 
-Q_DECLARE_METATYPE(abrazo::Manifest::Performer)
-
 namespace abrazo::app {
 
 /// Form for the chosen performers. Applies changes immediately; requests reading the file again if necessary.

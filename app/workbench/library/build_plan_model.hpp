@@ -7,6 +7,8 @@
 #include "core/library/build/library_plan.hpp"
 #include "widgets/common/palette.hpp"
 
+Q_DECLARE_METATYPE(abrazo::Manifest::Performer)
+
 namespace abrazo::app {
 
 /// The performers of a library plan, one per row. All changes go through it, so that the remarks always match

@@ -275,7 +275,7 @@ void VideoDesk::onState() {
   int place = -1;
   for (const VideoState& state : states()) {
     if (state.subject != m_subject) continue;
-    if (state.id == m_current) place = names.size();
+    if (state.id == m_current) place = static_cast<int>(names.size());
     names << QFileInfo(QString::fromStdString(state.file)).fileName();
   }
   m_panel->showFiles(names, place);
