@@ -7,6 +7,8 @@
 
 #include "core/session/frames/frame_snapshot.hpp"
 
+#include "widgets/common/palette.hpp"
+
 namespace abrazo::widgets {
 
 /// Stages from a packet to the partner's packet, in order; Render runs in parallel with Send.
@@ -35,5 +37,22 @@ struct LatencySample {
 /// A sample from the frame's times, without render and screen.
 /// @param before the previous frame, for the interval; may be null
 LatencySample latency_sample(const FrameSnapshot& frame, const FrameSnapshot* before);
+
+/// One colour for each stage, the same in table and plot.
+inline QColor latency_colour(LatencyStage stage, const Palette& palette) {
+  switch (stage) {
+    case LatencyStage::Assembly:
+      return palette.user;
+    case LatencyStage::Wait:
+      return palette.energy_constraint;
+    case LatencyStage::Solve:
+      return palette.residual_bones;
+    case LatencyStage::Send:
+      return palette.good;
+    case LatencyStage::Render:
+      break;
+  }
+  return palette.residual_penetration;
+}
 
 }  // namespace abrazo::widgets

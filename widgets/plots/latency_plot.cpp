@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/latency_colours.hpp"
+#include "widgets/common/latency_sample.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/plots/plot_colours.hpp"

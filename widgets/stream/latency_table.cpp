@@ -9,7 +9,7 @@
 #include <QToolTip>
 #include <array>
 
-#include "widgets/common/latency_colours.hpp"
+#include "widgets/common/latency_sample.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"

@@ -325,28 +325,6 @@ TEST(LearnedSelection, ARecordingKnowsWhichFramesWereSolvedWhileTheLibraryWasLea
   EXPECT_GT(with_reason, 0);
 }
 
-TEST(LearnedSelection, AFileOfAnEarlierProgramWithoutThatTableIsReadAndGoneOnIn) {
-  const RecordedSession session;
-  {
-    auto database = SessionDatabase::open(session.path, SessionDatabase::Access::Write);
-    ASSERT_TRUE(database);
-    ASSERT_TRUE(database->execute("DROP TABLE learning"));
-  }
-  const auto file = SessionFile::open(session.path);
-  ASSERT_TRUE(file) << file.error().text();
-  std::size_t frames = 0;
-  const auto pass = (*file)->each_frame(-1e9, 1e9, [&](const FrameSnapshot& read) -> Status {
-    EXPECT_FALSE(read.is_learning);
-    ++frames;
-    return Done{};
-  });
-  ASSERT_TRUE(pass);
-  EXPECT_EQ(frames, session.keeper->frames.size());
-  const auto recorder = Recorder::open(session.path, test::session_facts());
-  ASSERT_TRUE(recorder) << recorder.error().text();
-  EXPECT_TRUE((*recorder)->finish());
-}
-
 TEST(LearnedSelection, TheTermsOfEveryCandidateAreRecordedWithTheSameBits) {
   const RecordedSession session;
   const auto file = SessionFile::open(session.path);
