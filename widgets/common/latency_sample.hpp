@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "core/session/frames/frame_snapshot.hpp"
-
 #include "widgets/common/palette.hpp"
 
 namespace abrazo::widgets {

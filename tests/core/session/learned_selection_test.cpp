@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "core/selection/intent_model.hpp"
-#include "core/session/file/session_database.hpp"
 #include "core/session/frames/settings_track.hpp"
 #include "core/session/run/session_replay.hpp"
 #include "core/session/run/solver_control.hpp"
