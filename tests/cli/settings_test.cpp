@@ -41,7 +41,6 @@ TEST_F(SettingsOptions, EachOfTheContractCanBeGiven) {
       {"foot-locks off", false},
       {"user-role passive", "passive"},
       {"selection intent", "intent"},
-      {"selection filter", "intent"},
   };
   for (const auto& [words, value] : given) {
     const std::string key = words.substr(0, words.find(' '));

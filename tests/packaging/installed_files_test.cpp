@@ -46,13 +46,16 @@ TEST(Installation, HasTheProgramsTheirPagesTheGuideAndTheLicence) {
   for (const std::string& name : wanted) EXPECT_TRUE(fs::is_regular_file(installed(name))) << name;
 }
 
-/// Debian packages that .ci/packages lists below a heading.
+/// Debian packages that .ci/packages lists below a heading, those of every suite.
 std::vector<std::string> packages_below(const std::string& heading) {
   std::vector<std::string> packages;
   bool is_below = false;
   for (const std::string_view line : split_lines(content_of(fs::path(ABRAZO_SOURCE_DIR) / ".ci/packages"))) {
     if (line.starts_with('#')) is_below = line == "# " + heading;
-    if (is_below && !line.starts_with('#') && !line.empty()) packages.emplace_back(line);
+    if (!is_below) continue;
+    for (const std::string& package :
+         matches(std::string(line.substr(0, line.find_first_of("#["))), "([a-z0-9][a-z0-9.+-]+)"))
+      packages.push_back(package);
   }
   return packages;
 }
