@@ -9,7 +9,7 @@ set(abrazo_engine_libraries
   "hdf5=hdf5_serial=libhdf5-dev"
   "lo=lo=liblo-dev"
   "tinygltf=tinygltf=libtinygltf-dev"
-  "tet=tet=libtet1.5-dev"
+  "tet=tet=libtet1.5-dev | libtet-dev"
   # FLANN's own code is compiled in; what could save an index calls this.
   "lz4=lz4=liblz4-dev"
   "zlib=z=zlib1g-dev")

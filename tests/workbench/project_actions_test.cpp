@@ -122,6 +122,8 @@ class ProjectActions : public DemoWindow {
   ProjectDesk::Answer answer = ProjectDesk::Answer::Cancel;
 };
 
+class UnsavedWork : public ProjectActions {};
+
 TEST_F(ProjectActions, AFreshSessionIsUntitledAndNotModified) {
   EXPECT_TRUE(window().windowTitle().startsWith("Untitled[*]")) << window().windowTitle().toStdString();
   EXPECT_FALSE(is_modified());
@@ -153,7 +155,7 @@ TEST_F(ProjectActions, WhatASessionHadIsThereAgainWhenItIsOpened) {
   EXPECT_FALSE(is_modified());
 }
 
-TEST_F(ProjectActions, AChangeIsSeenAtOnceAndItsUndoToo) {
+TEST_F(UnsavedWork, AChangeIsSeenAtOnceAndItsUndoToo) {
   window().document().changeSetting("alpha", "0.31");  // settings stay from session to session
   EXPECT_TRUE(window().isWindowModified()) << "without anyone looking";
   window().undoStack().undo();
@@ -284,7 +286,7 @@ TEST_F(ProjectActions, ARecordingMadeAfterATakeWasAnnotatedIsOpenedAgain) {
   while (window().undoStack().canUndo()) window().undoStack().undo();
 }
 
-TEST_F(ProjectActions, UndoGoesOnAcrossASave) {
+TEST_F(UnsavedWork, UndoGoesOnAcrossASave) {
   annotate(0.5, 1, "first");
   save_as("undo.abrazo");
   EXPECT_TRUE(window().undoStack().isClean());
@@ -305,7 +307,7 @@ TEST_F(ProjectActions, UndoGoesOnAcrossASave) {
   for (const AnnotationTier& tier : session->second.tiers()) EXPECT_TRUE(tier.annotations.empty());
 }
 
-TEST_F(ProjectActions, UndoEndsWithItsSession) {
+TEST_F(UnsavedWork, UndoEndsWithItsSession) {
   annotate(0.5, 1, "of the session before");
   window().document().changeSetting("alpha", "0.33");
   ASSERT_TRUE(window().undoStack().canUndo());
@@ -348,7 +350,7 @@ TEST_F(ProjectActions, TakesAreRecordedIntoTheFileOfTheProjectAndItIsSavedMeanwh
   EXPECT_EQ(takes().takes().all().size(), 1U);
 }
 
-TEST_F(ProjectActions, NothingIsLostWithoutBeingAsked) {
+TEST_F(UnsavedWork, NothingIsLostWithoutBeingAsked) {
   annotate(0.5, 1, "precious");
   window().close();
   EXPECT_EQ(asked, 1);
@@ -366,7 +368,7 @@ TEST_F(ProjectActions, NothingIsLostWithoutBeingAsked) {
 }
 
 /// They were there again in the next session, and the keys of the words were others.
-TEST_F(ProjectActions, DiscardedLabelsOfATakeAreGoneWhileItsLibraryStaysOpen) {
+TEST_F(UnsavedWork, DiscardedLabelsOfATakeAreGoneWhileItsLibraryStaysOpen) {
   const auto library = material().library;
   const std::string first = library->takes()[0].name, second = library->takes()[1].name;
   const Annotations of_session = said_of(""), of_first = said_of(first), of_second = said_of(second);
@@ -389,7 +391,7 @@ TEST_F(ProjectActions, DiscardedLabelsOfATakeAreGoneWhileItsLibraryStaysOpen) {
   EXPECT_EQ(material().library->takes()[0].labels, library->takes()[0].labels);
 }
 
-TEST_F(ProjectActions, SavedLabelsOfATakeAreThereInTheNextSessionOnItsLibrary) {
+TEST_F(UnsavedWork, SavedLabelsOfATakeAreThereInTheNextSessionOnItsLibrary) {
   const auto library = material().library;
   const std::string first = library->takes()[0].name;
   relabel_the_first_take();
@@ -428,7 +430,7 @@ TEST_F(ProjectActions, TheKeysOfWordsAreTheSameWhenASessionIsOpenedAgain) {
   }
 }
 
-TEST_F(ProjectActions, SaveIsAnAnswerThatSavesBeforeItGoesOn) {
+TEST_F(UnsavedWork, SaveIsAnAnswerThatSavesBeforeItGoesOn) {
   save_as("asked.abrazo");
   annotate(0.5, 1, "late");
   answer = ProjectDesk::Answer::Save;
@@ -441,7 +443,7 @@ TEST_F(ProjectActions, SaveIsAnAnswerThatSavesBeforeItGoesOn) {
   EXPECT_EQ(kept, 1U);
 }
 
-TEST_F(ProjectActions, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {
+TEST_F(UnsavedWork, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {
   const QString folder = remembered().folder() + "/autosave";
   annotate(0.5, 1.5, "nearly lost");
   const auto kept = [&folder] { return QDir(folder).entryList({"*.abrazo"}, QDir::Files); };
