@@ -1,5 +1,9 @@
 #include "core/opening/generated_set.hpp"
 
+#include <map>
+#include <mutex>
+#include <string>
+
 #include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/library/build/motion_library_builder.hpp"
@@ -12,7 +16,7 @@ constexpr const char* fight_name = "generated fight";
 
 /// A minute of it as the library; half a minute of another, whose first performer plays the user.
 template <typename Generate>
-Result<Material> generated(const char* name, const char* performer, Generate generate,
+Result<Material> make(const char* name, const char* performer, Generate generate,
                            const Progress& progress) {
   ChoreographyOptions options;
   options.minutes = 1;
@@ -26,6 +30,20 @@ Result<Material> generated(const char* name, const char* performer, Generate gen
   options.take_seconds = 30;
   material.input = generate(options, {}).front().a;
   material.input.name = performer;
+  return material;
+}
+
+/// Whoever makes it first; the same for everyone after. What failed or was cancelled is not kept.
+template <typename Generate>
+Result<Material> generated(const char* name, const char* performer, Generate generate,
+                           const Progress& progress) {
+  static std::mutex mutex;
+  static std::map<std::string, Material> made;
+  const std::lock_guard lock(mutex);
+  const auto found = made.find(name);
+  if (found != made.end()) return found->second;
+  auto material = make(name, performer, generate, progress);
+  if (material) made.emplace(name, material.value());
   return material;
 }
 
