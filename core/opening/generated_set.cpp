@@ -16,8 +16,7 @@ constexpr const char* fight_name = "generated fight";
 
 /// A minute of it as the library; half a minute of another, whose first performer plays the user.
 template <typename Generate>
-Result<Material> make(const char* name, const char* performer, Generate generate,
-                           const Progress& progress) {
+Result<Material> make(const char* name, const char* performer, Generate generate, const Progress& progress) {
   ChoreographyOptions options;
   options.minutes = 1;
   auto library = build_library(name, generate(options, {}), {}, progress);
