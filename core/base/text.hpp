@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,16 @@ std::string_view trimmed(std::string_view text);
 
 /// Lower-case copy (ASCII).
 std::string lower_case(std::string_view text);
+
+/// A text that ends with the expression, whose parts would outlive it.
+template <typename Text>
+concept PassingText = std::same_as<Text, std::string>;
+template <PassingText Text>
+std::vector<std::string_view> split_words(Text&& line) = delete;
+template <PassingText Text>
+std::vector<std::string_view> split_fields(Text&& line, char separator) = delete;
+template <PassingText Text>
+std::vector<std::string_view> split_lines(Text&& text) = delete;
 
 /// The words between runs of blanks and tabs.
 std::vector<std::string_view> split_words(std::string_view line);

@@ -50,7 +50,8 @@ TEST(Installation, HasTheProgramsTheirPagesTheGuideAndTheLicence) {
 std::vector<std::string> packages_below(const std::string& heading) {
   std::vector<std::string> packages;
   bool is_below = false;
-  for (const std::string_view line : split_lines(content_of(fs::path(ABRAZO_SOURCE_DIR) / ".ci/packages"))) {
+  const std::string list = content_of(fs::path(ABRAZO_SOURCE_DIR) / ".ci/packages");
+  for (const std::string_view line : split_lines(list)) {
     if (line.starts_with('#')) is_below = line == "# " + heading;
     if (!is_below) continue;
     for (const std::string& package :
@@ -62,13 +63,13 @@ std::vector<std::string> packages_below(const std::string& heading) {
 
 TEST(Licences, NameEveryLibraryThatTheProgramsAreBuiltWith) {
   const std::string licences = content_of(installed("share/doc/abrazo/copyright"));
-  EXPECT_THAT(licences, HasSubstr("GNU AFFERO GENERAL PUBLIC LICENSE"));
+  EXPECT_NE(licences.find("GNU AFFERO GENERAL PUBLIC LICENSE"), std::string::npos) << licences.size();
   for (const char* heading : {"engine and command line", "Python module", "workbench"}) {
     const std::vector<std::string> packages = packages_below(heading);
     EXPECT_GT(packages.size(), 2U) << heading;
     for (const std::string& package : packages) {
       if (package.starts_with("fonts-")) continue;
-      EXPECT_THAT(licences, HasSubstr(package));
+      EXPECT_NE(licences.find(package), std::string::npos) << package << " of " << heading;
     }
   }
 }
