@@ -19,8 +19,6 @@ namespace {
 
 class FileDialog : public testing::Test {
  protected:
-  static void SetUpTestSuite() { QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs); }
-
   QString path(const QString& name) const { return m_folder.filePath(name); }
   void put(const QString& name, int bytes = 4) const {
     QFile file(path(name));

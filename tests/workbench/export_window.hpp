@@ -30,10 +30,7 @@ namespace abrazo::app::export_fixture {
 
 class ExportWindow : public DemoWindow {
  protected:
-  static void SetUpTestSuite() {
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    showDemo({1100, 700}, 60);
-  }
+  static void SetUpTestSuite() { showDemo({1100, 700}, 60); }
 
   static ExportDesk& desk() { return *window().findChild<ExportDesk*>(); }
   static ExportDialog& dialog() { return *window().findChild<ExportDialog*>(); }

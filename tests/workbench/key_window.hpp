@@ -26,6 +26,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "app/workbench/compare/comparison_desk.hpp"
 #include "app/workbench/keys/key_entry.hpp"
@@ -107,15 +108,15 @@ inline void focus_scene() {
   for (QWidget* child : scene().findChildren<QWidget*>())
     if (child->focusPolicy() == Qt::StrongFocus) return child->setFocus();
 }
-/// One window on the generated dance for all of it.
-class OneWindow : public testing::Environment {
-  void SetUp() override {
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    QApplication::setQuitOnLastWindowClosed(false);
-    qputenv("ABRAZO_HOME", m_home.path().toUtf8());
-    qputenv("HOME", m_home.path().toUtf8());
-    m_remembered = std::make_unique<UserSettings>();
-    window = new MainWindow(*m_remembered);
+/// Parked in the past, with nothing selected, set or open.
+class KeyWindow : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    s_home = std::make_unique<QTemporaryDir>();
+    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
+    qputenv("HOME", s_home->path().toUtf8());
+    s_remembered = std::make_unique<UserSettings>();
+    window = new MainWindow(*s_remembered);
     window->setTheme(widgets::Theme::Dark);
     window->resize(1500, 950);
     add_all_actions(*window);
@@ -123,15 +124,11 @@ class OneWindow : public testing::Environment {
     window->openDemo();
     until([] { return playback().last_s > 3; });
   }
-  void TearDown() override { delete window; }
-
-  QTemporaryDir m_home;
-  std::unique_ptr<UserSettings> m_remembered;
-};
-
-/// Parked in the past, with nothing selected, set or open.
-class KeyWindow : public testing::Test {
- protected:
+  static void TearDownTestSuite() {
+    delete std::exchange(window, nullptr);
+    s_remembered.reset();
+    s_home.reset();
+  }
   void SetUp() override {
     // A key before this one may have begun another session.
     ASSERT_TRUE(until([] { return ticker().shown() && playback().last_s > 3; })) << "the demo did not start";
@@ -175,6 +172,10 @@ class KeyWindow : public testing::Test {
     QTest::keyClick(focused && focused->window() == window ? focused : window, static_cast<Qt::Key>(key),
                     held);
   }
+
+ private:
+  static inline std::unique_ptr<QTemporaryDir> s_home;
+  static inline std::unique_ptr<UserSettings> s_remembered;
 };
 
 }  // namespace abrazo::app

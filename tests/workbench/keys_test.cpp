@@ -10,8 +10,6 @@
 namespace abrazo::app::keys_test {
 namespace {
 
-const auto* const one_window = testing::AddGlobalTestEnvironment(new OneWindow);
-
 /// What was the case when the key was pressed.
 struct Before {
   double cursor_s = 0, speed = 1;
