@@ -50,7 +50,7 @@ bool for_each_row(std::size_t count, std::size_t block, const Progress& progress
     }
   }
   if (failure) std::rethrow_exception(failure);
-  return wanted;
+  return wanted && report(progress, 1, doing);  // the others may have done the last rows, or all of them
 }
 
 }  // namespace abrazo
