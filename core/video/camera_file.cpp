@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/base/atomic_file.hpp"
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
 
 namespace abrazo {
@@ -103,7 +103,7 @@ Result<CameraModel> read_camera(const std::filesystem::path& file) {
     return Error{"is larger than 1 MB; a camera has less", file.string()};
   const auto content = read_whole_file(file);
   if (!content) return content.error();
-  if (nests_too_deep(*content)) return Error{too_deep_words, file.string()};
+  if (const char* beyond = json_beyond_bounds(*content)) return Error{beyond, file.string()};
   const json object = json::parse(*content, nullptr, false);
   if (!object.is_object())
     return Error{"is not JSON; expected a camera as Save camera… writes it", file.string()};

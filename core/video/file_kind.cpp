@@ -1,9 +1,12 @@
 #include "core/video/file_kind.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -94,14 +97,63 @@ bool is_text(std::string_view bytes) {
   return true;
 }
 
-constexpr std::size_t looked_at = 512;
+/// A container that is read: what it begins with, and FFmpeg's name of what reads it. Each is binary and
+/// holds its pictures itself; none names other files that FFmpeg would open.
+struct Container {
+  std::size_t at;
+  std::string_view bytes;
+  const char* demuxer;
+};
+constexpr const char* mp4 = "mov,mp4,m4a,3gp,3g2,mj2";
+constexpr std::array<Container, 17> containers = {{
+    {4, "ftyp", mp4},
+    {4, "moov", mp4},
+    {4, "mdat", mp4},
+    {4, "wide", mp4},
+    {4, "free", mp4},
+    {4, "skip", mp4},
+    {4, "pnot", mp4},
+    {0, "\x1A\x45\xDF\xA3", "matroska,webm"},
+    {8, "AVI ", "avi"},  // after RIFF and a size
+    {0, {"\0\0\1\xBA", 4}, "mpeg"},
+    {0, "\x30\x26\xB2\x75\x8E\x66\xCF\x11", "asf"},
+    {0, "FLV\1", "flv"},
+    {0, "OggS", "ogg"},
+    {0, "\x06\x0E\x2B\x34\x02\x05\x01\x01\x0D\x01\x02", "mxf"},
+    {0, "YUV4MPEG2 ", "yuv4mpegpipe"},
+    {0, {"\0\0\1\xB3", 4}, "mpegvideo"},
+    {0, "\xFF\xD8\xFF", "mjpeg"},
+}};
+constexpr const char* transport_stream = "mpegts";
+constexpr std::array<std::array<std::size_t, 2>, 2> packets = {
+    {{0, 188}, {4, 192}}};  // first sync byte, and how far apart
+
+bool is_transport_stream(std::string_view head) {
+  return std::any_of(packets.begin(), packets.end(), [&](const auto& packet) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (const std::size_t at = packet[0] + i * packet[1]; at >= head.size() || head[at] != 0x47)
+        return false;
+    return true;
+  });
+}
+
+constexpr std::size_t looked_at = 1024;
 
 }  // namespace
 
-bool is_text_file(const std::filesystem::path& file) {
+bool is_known_container(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string head = bytes_at(stream, 0, looked_at);
-  return is_text(head) && !head.starts_with("YUV4MPEG2");
+  return is_transport_stream(head) ||
+         std::any_of(containers.begin(), containers.end(), [&](const Container& known) {
+           return head.size() > known.at && std::string_view(head).substr(known.at).starts_with(known.bytes);
+         });
+}
+
+std::string known_demuxers() {
+  std::set<std::string_view> names = {transport_stream};
+  for (const Container& known : containers) names.insert(known.demuxer);
+  return fmt::format("{}", fmt::join(names, ","));
 }
 
 std::string why_no_video(const std::filesystem::path& file) {

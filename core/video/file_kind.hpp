@@ -9,8 +9,11 @@ namespace abrazo {
 /// a message: "holds sound and no pictures; choose the file with the pictures"
 std::string why_no_video(const std::filesystem::path& file);
 
-/// Whether it begins as text and so contains no pictures. Playlists of other files and addresses (HLS, DASH,
-/// concat, SDP) do, and a video library would open these.
-bool is_text_file(const std::filesystem::path& file);
+/// Whether it begins as one of the containers that are read. Only these are given to FFmpeg, since others can
+/// be lists of files and addresses that it would open (HLS, DASH, concat, SDP).
+bool is_known_container(const std::filesystem::path& file);
+
+/// Names of FFmpeg's demuxers for these containers, with commas between: the others are not to be used.
+std::string known_demuxers();
 
 }  // namespace abrazo

@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "core/video/file_kind.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -52,9 +54,10 @@ Result<const VideoCodec*> video_codec() {
 
 /// The reader reports FFmpeg's problems as messages instead.
 void silence_video_codec() {
-  // Nothing is fetched from elsewhere, whatever the file refers to.
-  static const int once = setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0) +
-                          setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS", "protocol_whitelist;file", 1);
+  // Nothing is fetched from elsewhere, whatever the file refers to, and no list of other files is followed.
+  static const std::string options = "protocol_whitelist;file|format_whitelist;" + known_demuxers();
+  static const int once =
+      setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0) + setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS", options.c_str(), 1);
   static_cast<void>(once);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -36,6 +37,8 @@ class PictureStream {
   /// Hash of the decoded picture.
   virtual std::uint64_t fingerprint() const = 0;
 
+  /// Width and height that the container names, before anything is decoded and turned upright; 0 if unknown.
+  virtual std::array<int, 2> promised_size() const = 0;
   virtual double nominal_hz() const = 0;
   virtual int promised() const = 0;
   virtual int rotation_deg() const = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/limits.hpp"
 #include "core/video/file_kind.hpp"
 #include "core/video/frame_cache.hpp"
 #include "core/video/picture_times.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t cache_bytes = 192u << 20;
 constexpr int most_pictures = 10'000'000;  // 4.6 days at 25 Hz
-constexpr double most_pixels = 1 << 26;    // 8192 x 8192
 constexpr int witness_step = 8;            // interval of pictures with a stored fingerprint
 constexpr int near_pictures = 48;          // decoded through rather than jumped over
 constexpr int kept_behind = 12;            // pictures before one that was gone back to
@@ -24,6 +24,12 @@ constexpr int unknown = -2;
 
 Error cancelled(const std::string& file) {
   return {"cancelled", file};
+}
+
+Status fits(int width, int height, const std::string& file) {
+  if (static_cast<double>(width) * height <= limits::video_pixels) return Done{};
+  return Error{fmt::format("its pictures are {} x {}; at most 8192 x 8192 can be shown", width, height),
+               file};
 }
 
 }  // namespace
@@ -64,10 +70,8 @@ Status VideoReader::State::measure(const Progress& progress) {
       if (first.rgb.empty()) break;
       facts.width = first.width;
       facts.height = first.height;
-      if (static_cast<double>(first.width) * first.height > most_pixels)
-        return Error{fmt::format("its pictures are {} x {}; at most 8192 x 8192 can be shown", first.width,
-                                 first.height),
-                     facts.file};
+      if (const Status fitting = fits(first.width, first.height, facts.file); !fitting)
+        return fitting.error();
     }
     const double fraction = times.promised > 0 ? std::min(1.0, (index + 1.0) / times.promised) : 0;
     if (!report(progress, fraction, "reading the times of the pictures")) return cancelled(facts.file);
@@ -90,9 +94,12 @@ Result<VideoReader> VideoReader::open(const std::filesystem::path& file, const P
   state->stream = (*codec)->stream();
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure) || std::filesystem::file_size(file, failure) == 0 ||
-      is_text_file(file) ||
+      !is_known_container(file) ||
       !state->stream->open(std::filesystem::absolute(file)))  // never a protocol, whatever it looks like
     return Error{why_no_video(file), file.string()};
+  const auto [width, height] = state->stream->promised_size();
+  if (const Status fitting = fits(width, height, state->facts.file); !fitting)
+    return fitting.error();  // before decoding
   state->facts.codec = state->stream->codec();
   state->facts.rotation_deg = state->stream->rotation_deg();
   if (const double aspect = state->stream->pixel_aspect(); std::abs(aspect - 1) > 1e-3)

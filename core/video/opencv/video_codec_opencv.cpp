@@ -1,5 +1,6 @@
 // The module that decodes and encodes videos with OpenCV's FFmpeg backend; see VideoCodec.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <opencv2/core/utility.hpp>
@@ -31,6 +32,7 @@ class OpenCvStream final : public PictureStream {
   bool jump(double seconds_after_start) override;
   DecodedPicture picture() const override;
   std::uint64_t fingerprint() const override;
+  std::array<int, 2> promised_size() const override;
   double nominal_hz() const override;
   int promised() const override;
   int rotation_deg() const override { return rotation_deg_; }
@@ -116,6 +118,11 @@ std::uint64_t OpenCvStream::fingerprint() const {
     }
   }
   return sum;
+}
+
+std::array<int, 2> OpenCvStream::promised_size() const {
+  return {static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH)),
+          static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT))};
 }
 
 double OpenCvStream::nominal_hz() const {

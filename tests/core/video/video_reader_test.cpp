@@ -7,11 +7,13 @@
 #include <array>
 #include <fstream>
 #include <numeric>
+#include <opencv2/videoio.hpp>
 #include <random>
 
 #include "core/base/atomic_file.hpp"
 #include "core/video/frame_cache.hpp"
 #include "core/video/picture_times.hpp"
+#include "core/video/video_codec.hpp"
 #include "core/video/video_reader.hpp"
 #include "core/video/video_writer.hpp"
 #include "tests/core/video/coded_video.hpp"
@@ -190,6 +192,19 @@ TEST_F(VideoFile, WithSoundAloneIsSaidToHaveNoPictures) {
   EXPECT_THAT(refusal(written("sound.mp4", bytes)), HasSubstr("sound and no pictures"));
 }
 
+// A grey picture of 8200 x 8200 takes a megabyte in the file.
+TEST_F(VideoFile, OfPicturesThatAreTooLargeIsRefusedBeforeOneIsRead) {
+  {
+    const cv::Mat grey(8200, 8200, CV_8UC3, cv::Scalar(99, 99, 99));
+    cv::VideoWriter video(at("large.avi").string(), cv::CAP_FFMPEG,
+                          cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25, grey.size());
+    if (!video.isOpened()) GTEST_SKIP() << "OpenCV here has no encoder for MJPG";
+    video.write(grey);
+  }
+  EXPECT_THAT(refusal(at("large.avi")),
+              HasSubstr("its pictures are 8200 x 8200; at most 8192 x 8192 can be shown"));
+}
+
 TEST_F(VideoFile, StopsOpeningWhenItIsToldTo) {
   ASSERT_TRUE(write_coded_video(at("a.mp4"), "mp4v", 50, 25));
   int told = 0;
@@ -227,12 +242,27 @@ TEST_F(VideoFile, AListOfOtherFilesOrAddressesIsRefusedAndNothingOfItIsOpened) {
        {"#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\n" + other + "\n#EXT-X-ENDLIST\n",
         "ffconcat version 1.0\nfile '" + other + "'\n",
         std::string("#EXTM3U\n#EXTINF:1,\nhttp://127.0.0.1:9/x.ts\n"),
+        "#EXTM3U\n#\x01\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\n" + other + "\n#EXT-X-ENDLIST\n",
+        "ffconcat version 1.0\n#\x01\nfile '" + other + "'\n",
         std::string(
             "v=0\r\no=- 0 0 IN IP4 127.0.0.1\r\ns=x\r\nc=IN IP4 127.0.0.1\r\nm=video 5004 RTP/AVP 96\r\n"),
         std::string("<?xml version=\"1.0\"?><MPD profiles=\"urn:mpeg:dash:profile:full:2011\"></MPD>")})
     for (const char* name : {"a.mp4", "a.m3u8", "a.ffconcat", "a.sdp", "a.mpd"})
       EXPECT_THAT(refusal(written(name, list)), HasSubstr("list of other files or addresses"))
           << name << list;
+}
+
+TEST_F(VideoFile, OfAContainerThatIsNotReadIsRefusedByTheDecoderToo) {
+  const auto codec = video_codec();
+  ASSERT_TRUE(codec) << codec.error().text();
+  ASSERT_TRUE(write_coded_video(at("other.mp4"), "mp4v", 20, 25));
+  EXPECT_TRUE((*codec)->stream()->open(at("other.mp4")));
+  const std::string other = at("other.mp4").string();
+  for (const std::string& list :
+       {"#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\n" + other + "\n#EXT-X-ENDLIST\n",
+        "ffconcat version 1.0\nfile '" + other + "'\n"})
+    for (const char* name : {"a.mp4", "a.m3u8", "a.ffconcat"})
+      EXPECT_FALSE((*codec)->stream()->open(written(name, list))) << name << list;
 }
 
 TEST_F(VideoFile, AnAddressIsNoFile) {
