@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
 
 namespace abrazo {
@@ -76,7 +76,7 @@ std::string decisions_json(const Decisions& decisions) {
 }
 
 Result<Decisions> parse_decisions(std::string_view json, std::string_view where) {
-  if (nests_too_deep(json)) return Error{too_deep_words, std::string(where)};
+  if (const char* beyond = json_beyond_bounds(json)) return Error{beyond, std::string(where)};
   const Json parsed = Json::parse(json, nullptr, false);
   if (!parsed.is_object()) return Error{"an object of decisions is expected", std::string(where)};
   Decisions decisions;

@@ -198,6 +198,23 @@ constexpr int usual_patience_ms = 2000;
 /// A value may be so large: pictures of states are some kB, a project's longest text a few MB.
 constexpr int largest_value_bytes = 256 << 20;
 
+/// SQLite would wait for whoever writes into a pipe. The file itself and the three that SQLite keeps beside
+/// one.
+Status check_files(const std::string& path) {
+  for (const char* ending : {"", "-journal", "-wal", "-shm"}) {
+    const std::filesystem::path file = path + ending;
+    std::error_code failure;
+    if (!std::filesystem::is_other(file, failure)) continue;
+    if (*ending == '\0')
+      return Error{"is a pipe, a socket or a device, no file; choose a session (.abrazo)", path};
+    return Error{
+        "beside the file lies '" + file.filename().string() +
+            "', which is a pipe, a socket or a device, no file. Move it away, then open the session again",
+        path};
+  }
+  return Done{};
+}
+
 /// A journal that SQLite finds beside a database may name another one, which it then deletes. Journals of
 /// session files never do.
 Status check_journal(const std::string& path) {
@@ -251,6 +268,7 @@ Status make_database_file(const std::string& path) {
 }  // namespace
 
 Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access access) {
+  if (const Status files = check_files(path); !files) return files.error();
   if (const Status harmless = check_journal(path); !harmless) return harmless.error();
   if (access == Access::Create)
     if (const Status made = make_database_file(path); !made) return made.error();

@@ -78,7 +78,7 @@ Status end_open_runs(const std::string& path) {
   Status ended = database->execute("PRAGMA journal_mode=MEMORY");
   if (ended) ended = end_open_takes(*database);
   if (ended) {
-    auto runs = database->prepare("UPDATE runs SET ended_at = ? WHERE ended_at IS NULL");
+    auto runs = database->prepare("UPDATE runs SET ended_at = max(begun_at, ?) WHERE ended_at IS NULL");
     ended = runs ? runs->bind(0, utc_now()).run() : Status(runs.error());
   }
   const Status closed = database->close();

@@ -334,7 +334,7 @@ Status SessionWriter::close_database(WatchedFile::State place) {
 Status SessionWriter::close(std::uint64_t lost) {
   Status ended = begin_batch();
   if (ended) ended = end_take();
-  auto run = database_.prepare("UPDATE runs SET ended_at = ?, lost = ? WHERE id = ?");
+  auto run = database_.prepare("UPDATE runs SET ended_at = max(begun_at, ?), lost = ? WHERE id = ?");
   if (ended && run) ended = keep_fault(run->bind(0, utc_now()).bind(1, lost).bind(2, run_));
   if (ended) ended = keep_fault(statements_->commit);
   if (!ended) (void)database_.execute("ROLLBACK");

@@ -90,6 +90,11 @@ void FrameHistory::append(FrameSnapshotPtr frame) {
   }
 }
 
+void FrameHistory::keep_at_most(std::size_t max_bytes) {
+  const std::scoped_lock lock(mutex_);
+  max_bytes_ = max_bytes;
+}
+
 void FrameHistory::set_store(std::shared_ptr<const FrameStore> store) {
   const std::scoped_lock lock(mutex_);
   store_ = std::move(store);

@@ -25,6 +25,8 @@ class FrameHistory {
   void append(FrameSnapshotPtr frame);
   /// Drops the frames in memory.
   void clear();
+  /// From now on; the newest frame is always kept.
+  void keep_at_most(std::size_t max_bytes);
 
   /// Sets the store of frames that are not in memory, or null. Its frames have the same times and indices; a
   /// frame in both is taken from memory.

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
 
@@ -100,7 +100,7 @@ std::string markers_json(const Markers& markers) {
 
 Markers parse_markers(std::string_view json) {
   constexpr int most = 1'000'000'000;
-  if (nests_too_deep(json)) return {};
+  if (json_beyond_bounds(json)) return {};
   std::vector<Marker> markers;
   int last_id = 0;
   const auto list = nlohmann::json::parse(json, nullptr, false);

@@ -7,7 +7,7 @@
 #include <istream>
 #include <nlohmann/json.hpp>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo {
@@ -28,7 +28,7 @@ bool next_line(std::istream& stream, std::string& line) {
 }
 
 Result<TraceHeader> read_header(const std::string& line, const std::string& where) {
-  if (nests_too_deep(line)) return Error{too_deep_words, where};
+  if (const char* beyond = json_beyond_bounds(line)) return Error{beyond, where};
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_trace"))
     return Error{

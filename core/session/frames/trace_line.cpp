@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/mesh/laplacian.hpp"
 #include "core/session/frames/trace_frames.hpp"
 
@@ -175,7 +175,7 @@ void take_status(LineReader& reader, FrameResult& result) {
 
 Result<FrameSnapshotPtr> read_trace_frame(std::string_view line, std::uint64_t index,
                                           const Settings& settings, const std::string& where) {
-  if (nests_too_deep(line)) return Error{too_deep_words, where};
+  if (const char* beyond = json_beyond_bounds(line)) return Error{beyond, where};
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object())
     return Error{"is no JSON object: a line of a trace is one frame; the file may have been cut off", where};

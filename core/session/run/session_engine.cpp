@@ -237,6 +237,9 @@ Status SessionEngine::receive(const StreamUri& uri, const std::string& performer
     parts_->play(std::move(*clip), uri.text);
     return Done{};
   }
+  for (const Parts::Sending& sending : parts_->sending)
+    if (const auto to = parse_stream_uri(sending.uri); to)
+      if (const Status away = check_no_loop(uri, *to); !away) return away.error();
   // The same port again: it has to be free first.
   if (parts_->receiver && parts_->receiver->uri().port == uri.port) stop_receiving();
   StreamReceiverOptions recorded = options;
@@ -272,6 +275,8 @@ Status SessionEngine::send(const StreamUri& uri, Character character) {
   const auto same = [&](const Parts::Sending& sending) { return sending.uri == uri.text; };
   if (std::any_of(parts_->sending.begin(), parts_->sending.end(), same))
     return Error{"something is sent there already; stop that first, or give another port", uri.text};
+  if (parts_->receiver)
+    if (const Status away = check_no_loop(parts_->receiver->uri(), uri); !away) return away.error();
   // To begin with: the role and the body that the user has in a frame are only known with it.
   const Body body = body_of_character(*parts_->views->library(), character, parts_->settings, std::nullopt);
   auto opened = parts_->openers.sink(uri, body, character == Character::User ? "user" : "partner");
@@ -295,6 +300,10 @@ std::vector<SinkHealth> SessionEngine::sinks() const {
 }
 
 // ---- recording ----
+
+void SessionEngine::forget_history() {
+  parts_->history.keep_at_most(0);
+}
 
 void SessionEngine::keep_history(std::shared_ptr<HistoryKeeper> keeper) {
   parts_->keeper = std::move(keeper);

@@ -62,6 +62,8 @@ class SessionEngine {
   void stop_sending(const std::string& uri);
   std::vector<SinkHealth> sinks() const;
 
+  /// Keeps of the solved frames only the newest in memory: for programs in which nobody looks back.
+  void forget_history();
   /// Keeps the frames of this session on disk, also those that no longer fit in memory. Once in a session.
   void keep_history(std::shared_ptr<HistoryKeeper> keeper);
   std::shared_ptr<HistoryKeeper> history_keeper() const;  ///< null if history is in memory only

@@ -61,5 +61,14 @@ TEST(FrameHistory, TheOldestFramesGoFirstAndAreCounted) {
   EXPECT_LE(span.bytes, 5 * one);
 }
 
+TEST(FrameHistory, MayKeepTheNewestOnly) {
+  FrameHistory history;
+  for (std::uint64_t i = 0; i < 5; ++i) history.append(frame_at(i, static_cast<double>(i)));
+  history.keep_at_most(0);
+  history.append(frame_at(5, 5));
+  EXPECT_EQ(history.span().frames, 1U);
+  EXPECT_EQ(history.at(5)->index, 5U);
+}
+
 }  // namespace
 }  // namespace abrazo::frame_history_test

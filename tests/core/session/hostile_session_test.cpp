@@ -1,6 +1,7 @@
 // Session files that somebody made to harm, and what lies beside them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cstdlib>
@@ -145,6 +146,22 @@ TEST_F(HostileSession, AnOrdinaryJournalIsStillPlayedBack) {
   EXPECT_TRUE(SessionFile::open(path_));
 }
 
+// Whoever opened one would wait for a writer, for ever.
+TEST_F(HostileSession, APipeBesideItOrInItsPlaceIsRefused) {
+  for (const char* ending : {"-journal", "-wal", "-shm"}) {
+    const std::string pipe = path_ + ending;
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    expect_refused("s.abrazo" + std::string(ending) + "', which is a pipe");
+    std::filesystem::remove(pipe);
+  }
+  const std::string pipe = TemporaryFolder::file("pipe.abrazo");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto file = SessionFile::open(pipe);
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().text(), HasSubstr("is a pipe, a socket or a device"));
+  EXPECT_FALSE(save_project(pipe, Project{}));
+}
+
 TEST_F(HostileSession, ALinkInPlaceOfItsLogIsNotWrittenThrough) {
   const std::string victim = TemporaryFolder::file("thesis.tex");
   ASSERT_TRUE(write_whole_file(victim, "three years"));
@@ -179,6 +196,16 @@ TEST_F(HostileSession, ALinkWhereACopyIsWrittenIsReplacedAndNotFollowed) {
   EXPECT_TRUE(copy_session(path_, copy));
   EXPECT_TRUE(SessionFile::open(copy));
   EXPECT_EQ(*read_whole_file(victim), "three years");
+}
+
+// The clock went back while it was recorded.
+TEST_F(HostileSession, ARunDoesNotEndBeforeItBegan) {
+  const std::string copy = TemporaryFolder::file("copy.abrazo");
+  run("UPDATE runs SET begun_at = '2999-01-01T00:00:00Z', ended_at = NULL");
+  ASSERT_TRUE(copy_session(path_, copy));
+  auto database = SessionDatabase::open(copy, SessionDatabase::Access::Read);
+  ASSERT_TRUE(database);
+  EXPECT_EQ(database->integer("SELECT count(*) FROM runs WHERE ended_at >= begun_at")->value_or(0), 1);
 }
 
 /// The copy stayed, and looked like a recording that was cut off.

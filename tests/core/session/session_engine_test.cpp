@@ -183,6 +183,13 @@ TEST_F(Engine, RunsOnItsOwnSourceFromTheStart) {
   EXPECT_EQ(engine.recorder(), nullptr);
 }
 
+TEST_F(Engine, ThatForgetsItsHistoryKeepsTheNewestFrame) {
+  ASSERT_TRUE(eventually([&] { return engine.history().span().frames > 5; }));
+  engine.forget_history();
+  EXPECT_TRUE(eventually([&] { return engine.history().span().frames == 1; }));
+  EXPECT_TRUE(eventually([&] { return engine.latest().newest()->index > 10; })) << "it goes on";
+}
+
 TEST_F(Engine, AStreamTakesOverAndGivesBackTheSourceThereWas) {
   ASSERT_TRUE(runs_on_the_clip());
   ASSERT_TRUE(engine.receive(uri(39539), "Ana"));
