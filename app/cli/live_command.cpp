@@ -84,6 +84,9 @@ Result<LivePlan> plan_of(const LiveOptions& options) {
   auto send = sinks_of(options.send), send_user = sinks_of(options.send_user);
   if (!send) return send.error();
   if (!send_user) return send_user.error();
+  for (const std::vector<StreamUri>* uris : {&*send, &*send_user})
+    for (const StreamUri& uri : *uris)
+      if (const Status away = check_no_loop(*listen, uri); !away) return away.error();
   auto settings = options.settings.read();
   if (!settings) return settings.error();
   if (!options.record.empty())
@@ -142,6 +145,7 @@ RoleControl role_control_of(const std::string& word) {
 /// Everything is attached before the first pose, so that nothing of it is missed.
 Status open_all(SessionEngine& engine, const LiveOptions& options, const LivePlan& plan,
                 const std::shared_ptr<const MotionLibrary>& library) {
+  engine.forget_history();
   if (const Status set = engine.control_role(role_control_of(options.role_control)); !set) return set;
   for (const StreamUri& uri : plan.send)
     if (const Status sent = engine.send(uri, Character::Partner); !sent) return sent;
@@ -230,8 +234,9 @@ Status end_session(CommandLine& line, SessionEngine& engine, const std::shared_p
   return written;
 }
 
-/// The reason why there is no pose.
-Error no_pose(const LiveEnd& end, const StreamUri& uri) {
+/// The reason why no frame was solved.
+Error nothing_solved(const LiveEnd& end, const LiveReport& live, const StreamUri& uri) {
+  if (const std::string failure = live.latest_failure(); !failure.empty()) return {failure, uri.text};
   if (end.stream && !end.stream->diagnoses.empty()) return {end.stream->diagnoses.front().text, uri.text};
   if (!end.diagnoses.empty()) return {end.diagnoses.back().newest.text, uri.text};
   return {"no pose came in", uri.text};
@@ -288,7 +293,7 @@ Status run_live(CommandLine& line, const LiveOptions& options) {
   else if (!line.quiet)
     answer(line, live->text(end));
   if (!written) return written;
-  return live->frames() > 0 ? Status(Done{}) : no_pose(end, plan->listen);
+  return live->solved() > 0 ? Status(Done{}) : nothing_solved(end, *live, plan->listen);
 }
 
 void add_options(CLI::App& live, LiveOptions& options) {

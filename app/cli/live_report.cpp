@@ -178,9 +178,14 @@ void LiveReport::frame_solved(const FrameSnapshotPtr& frame) {
   if (frame->result.status == StepStatus::Failed) latest_failure_ = frame->result.message;
 }
 
-std::size_t LiveReport::frames() const {
+std::size_t LiveReport::solved() const {
   const std::scoped_lock lock(mutex_);
-  return frame_times_.size();
+  return frame_times_.size() - failed_;
+}
+
+std::string LiveReport::latest_failure() const {
+  const std::scoped_lock lock(mutex_);
+  return latest_failure_;
 }
 
 std::string LiveReport::line(double now_s) const {

@@ -31,7 +31,9 @@ class LiveReport : public FrameListener {
  public:
   void frame_solved(const FrameSnapshotPtr& frame) override;
 
-  std::size_t frames() const;
+  /// Frames that were solved; the others failed.
+  std::size_t solved() const;
+  std::string latest_failure() const;
   /// Present state, for a line on the terminal.
   std::string line(double now_s) const;
   std::string text(const LiveEnd& end) const;

@@ -127,7 +127,7 @@ void add_send_command(CommandLine& line) {
   send->add_option("FILE", options->input.file, "the motion: .bvh, or .amc with its .asf")->required();
   add_reading_options(*send, options->input);
   send->add_option("--to", options->to,
-                   "vmc://HOST:PORT[?framing=t-last|t-first], natnet://HOST[:PORT] (answers clients there), "
+                   "vmc://HOST:PORT[?framing=t-last|t-first|split], natnet://HOST[:PORT] (answers clients there), "
                    "xsens://HOST:PORT")
       ->required()
       ->type_name("URI");

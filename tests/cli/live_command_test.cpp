@@ -108,10 +108,11 @@ TEST_P(LiveLink, WhatAbrazoSendsDrivesThePartner) {
 
 INSTANTIATE_TEST_SUITE_P(Protocols, LiveLink,
                          ::testing::Values(Link{"vmc", "framing=t-last"}, Link{"vmc", "framing=t-first"},
-                                           Link{"natnet", ""}, Link{"xsens", ""}),
+                                           Link{"vmc", "framing=split&root=origin"}, Link{"natnet", ""},
+                                           Link{"xsens", ""}),
                          [](const auto& link) {
                            std::string name = link.param.scheme + link.param.options;
-                           std::erase_if(name, [](char c) { return c == '=' || c == '-'; });
+                           std::erase_if(name, [](char c) { return c == '=' || c == '-' || c == '&'; });
                            return name;
                          });
 
@@ -244,6 +245,8 @@ TEST_F(LiveCommand, WordsThatCannotBeMeantAreRefusedBeforeAnythingIsOpened) {
   refused("--listen clip:demo/salsa_01_a.bvh --calibrate 3", "--calibrate is for streams");
   refused("--listen clip:demo/salsa_01_a.bvh --send clip:out.bvh", "a clip is no place to send to");
   refused("--listen clip:demo/salsa_01_a.bvh --send vmc://127.0.0.1:39540?delay=20", "for listening");
+  refused("--listen vmc://127.0.0.1:39539 --send vmc://localhost:39539", "would come back as the user");
+  refused("--listen vmc://*:39539 --send-user vmc://127.0.0.1:39539", "would come back as the user");
   refused("--listen clip:demo/none.bvh", "demo/none.bvh");
   refused("--listen clip:demo/salsa_01_a.bvh --exclude nobody", "nobody");
   refused("--listen clip:demo/salsa_01_a.bvh --record demo.h5", "is also read");

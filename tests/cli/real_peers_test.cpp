@@ -2,13 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <memory>
 #include <sstream>
 
 #include "core/base/text.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/cli/live_fixture.hpp"
 
 namespace abrazo::test::real_peers_test {
@@ -167,7 +171,7 @@ TEST_F(RealPeers, OscdumpReadsThePartnerThatWeSend) {
   dump.signal(SIGINT);
   const auto messages = parse_dump(dump.wait().out);
 
-  std::size_t bones = 0, roots = 0, oks = 0, times = 0, strange = 0, since_time = 0;
+  std::size_t bones = 0, roots = 0, oks = 0, applied = 0, times = 0, strange = 0, since_time = 0;
   double time_s = -1;
   for (const DumpedMessage& message : messages) {
     if (message.address == "/VMC/Ext/Bone/Pos") {
@@ -180,8 +184,10 @@ TEST_F(RealPeers, OscdumpReadsThePartnerThatWeSend) {
       EXPECT_NEAR(squares, 1, 1e-4) << "a rotation";
     } else if (message.address == "/VMC/Ext/Root/Pos") {
       ++roots;
-      EXPECT_EQ(message.types.substr(0, 8), "sfffffff");
+      EXPECT_EQ(message.types, "sfffffffffffff");
       EXPECT_EQ(message.values.at(0), "\"root\"");
+    } else if (message.address == "/VMC/Ext/Blend/Apply") {
+      ++applied;
     } else if (message.address == "/VMC/Ext/OK") {
       ++oks;
       EXPECT_EQ(message.types, "iiii");
@@ -200,8 +206,84 @@ TEST_F(RealPeers, OscdumpReadsThePartnerThatWeSend) {
   EXPECT_EQ(times, frames);
   EXPECT_EQ(roots, frames);
   EXPECT_EQ(oks, frames);
+  EXPECT_EQ(applied, frames);
   EXPECT_EQ(bones, std::size(avatar) * frames);
   EXPECT_EQ(strange, 0U);
+}
+
+/// The receivers of examples/receive, with both bodies of a dance.
+class ExampleReceivers : public LiveTest {
+ protected:
+  /// Starts it with a port for each body, and sends a second of the dance to both.
+  void send_to(const std::vector<std::string>& program) {
+    receiver_ = std::make_unique<RunningCommand>(program, folder());
+    ASSERT_TRUE(wait_until([&] { return is_open(ports_[0]) && is_open(ports_[1]); }))
+        << receiver_->errors_so_far();
+    for (std::size_t body = 0; body < 2; ++body) {
+      const Outcome sent =
+          run(fmt::format("send {} --seconds 1 --json --to {}", clips_[body], uri_of("vmc", ports_[body])));
+      ASSERT_EQ(sent.status, 0) << sent.err;
+      frames_[body] = nlohmann::json::parse(sent.out)["frames"];
+    }
+  }
+  std::vector<nlohmann::json> lines_of(std::size_t body, const std::string& answers) const {
+    std::vector<nlohmann::json> lines;
+    for (const std::string_view line : split_lines(answers))
+      if (line.starts_with('{'))
+        if (auto json = nlohmann::json::parse(line); json["port"] == ports_[body])
+          lines.push_back(std::move(json));
+    return lines;
+  }
+  /// The hips stand where they stand in a frame of the clip [m]; X of both spaces points the other way.
+  void expect_in_the_clip(std::size_t body, const nlohmann::json& hips, double x_is) const {
+    const auto clips = load_motion(path(clips_[body]).string(), "", {});
+    ASSERT_TRUE(clips);
+    const Vec3 at(x_is * hips[0].get<double>(), hips[1], hips[2]);
+    double nearest = 1e9;
+    for (const Pose& pose : clips->front().clip.poses)
+      nearest = std::min(nearest, (pose.row(0).transpose() - at).norm());
+    EXPECT_LT(nearest, 1e-3) << clips_[body] << ": " << at.transpose();
+  }
+
+  std::array<std::uint16_t, 2> ports_ = {free_port(), free_port()};
+  std::array<std::string, 2> clips_ = {"demo/salsa_01_a.bvh", "demo/salsa_01_b.bvh"};
+  std::array<std::size_t, 2> frames_{};
+  std::unique_ptr<RunningCommand> receiver_;
+};
+
+TEST_F(ExampleReceivers, InPythonEachBodyIsWhereItIsInItsClip) {
+  send_to({"/usr/bin/python3", ABRAZO_EXAMPLES "/receive/receive.py", std::to_string(ports_[0]),
+           std::to_string(ports_[1]), "--json"});
+  ASSERT_TRUE(wait_until([&] { return lines_of(1, receiver_->answers_so_far()).size() >= frames_[1]; }));
+  receiver_->signal(SIGINT);
+  const Outcome outcome = receiver_->wait();
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  for (std::size_t body = 0; body < 2; ++body) {
+    const auto lines = lines_of(body, outcome.out);
+    ASSERT_THAT(lines, SizeIs(frames_[body]));
+    expect_in_the_clip(body, lines.front()["hips"], -1);
+    expect_in_the_clip(body, lines.back()["hips"], -1);
+    EXPECT_EQ(lines.back()["bones"], 22);
+    EXPECT_NE(lines.front()["heading_deg"], lines.back()["heading_deg"]);
+  }
+}
+
+TEST_F(ExampleReceivers, InGodotEachBodyIsWhereItIsInItsClip) {
+  if (!has_program("godot3-server")) GTEST_SKIP() << "godot3-server is not installed";
+  std::filesystem::copy(ABRAZO_EXAMPLES "/receive/godot", path("godot"));
+  send_to({"/usr/bin/env", "-u", "XDG_DATA_HOME", "-u", "XDG_CONFIG_HOME", "-u", "XDG_CACHE_HOME",
+           "HOME=" + folder().string(), "godot3-server", "--path", path("godot").string(),
+           fmt::format("--ports={},{}", ports_[0], ports_[1]), "--seconds=8"});
+  const Outcome outcome = receiver_->wait();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (std::size_t body = 0; body < 2; ++body) {
+    const auto lines = lines_of(body, outcome.out);
+    ASSERT_THAT(lines, SizeIs(1)) << outcome.out;
+    EXPECT_GT(lines[0]["frames"], 0);
+    EXPECT_EQ(lines[0]["bones"], 22);
+    expect_in_the_clip(body, lines[0]["hips"], 1);
+  }
 }
 
 }  // namespace

@@ -60,8 +60,13 @@ TEST_F(SendCommand, HeldUpTillAfterTheEndItSendsTheLastPoseAndCountsTheOthers) {
 
 TEST_F(SendCommand, TheFramingIsTheOneAskedFor) {
   ASSERT_EQ(run("send demo/salsa_01_a.bvh --seconds 1 --to " + uri_of("vmc", receiver.port())).status, 0);
-  EXPECT_THAT(addresses_of(receiver.packets().at(0)), SizeIs(12));
-  EXPECT_EQ(addresses_of(receiver.packets().at(1)).back(), "/VMC/Ext/T");
+  EXPECT_EQ(addresses_of(receiver.packets().at(0)).back(), "/VMC/Ext/T");
+  TestReceiver split;
+  ASSERT_EQ(
+      run("send demo/salsa_01_a.bvh --seconds 1 --to " + uri_of("vmc", split.port(), "framing=split")).status,
+      0);
+  EXPECT_THAT(addresses_of(split.packets().at(0)), SizeIs(12));
+  EXPECT_EQ(addresses_of(split.packets().at(1)).back(), "/VMC/Ext/T");
   TestReceiver other;
   ASSERT_EQ(run("send demo/salsa_01_a.bvh --seconds 1 --to " + uri_of("vmc", other.port(), "framing=t-first"))
                 .status,

@@ -113,12 +113,16 @@ QWidget* SinkList::makeForm() {
   m_port->setAccessibleName("Port to send to");
   m_port->setValidator(new QIntValidator(1, 65535, m_port));
   m_framing = new QComboBox(form);
-  m_framing->addItem("VMC, T last", "t-last");
-  m_framing->addItem("VMC, T first", "t-first");
+  m_framing->addItem("VMC", "framing=t-last");
+  m_framing->addItem("VMC, T first", "framing=t-first");
+  m_framing->addItem("VMC, several bundles", "framing=split");
+  m_framing->addItem("VMC, root at origin", "framing=t-last&root=origin");
   describe(
       *m_framing, "Framing",
-      "T last: as the VMC application sends, bundles of at most 12 bones. T first: one bundle, as SlimeVR "
-      "sends");
+      "VMC: a frame is one bundle, its root has the place and heading of the character. T first: as SlimeVR "
+      "sends. Several bundles: for networks that lose packets above 1500 bytes. Root at origin: for "
+      "receivers that "
+      "take the place from the hips");
   auto* add = new QPushButton("Send", form);
   add->setFixedWidth(104);
   grid->addWidget(m_character, 0, 0);
@@ -157,7 +161,7 @@ void SinkList::show(const std::vector<SinkRow>& rows) {
 
 QString SinkList::uri() const {
   const QString host = m_host->text().trimmed(), port = m_port->text().trimmed();
-  return QString("vmc://%1:%2?framing=%3")
+  return QString("vmc://%1:%2?%3")
       .arg(host.isEmpty() ? m_host->placeholderText() : host,
            port.isEmpty() ? m_port->placeholderText() : port, m_framing->currentData().toString());
 }

@@ -53,7 +53,8 @@ constexpr std::array option_table = {
     OptionFacts{"version", "natnet", true, true, "version=3.0|3.1|4.0|4.1"},
     OptionFacts{"split", "vmc", true, false,
                 "split=sender|port (each address is a performer, or all that comes to the port is one)"},
-    OptionFacts{"framing", "vmc", false, true, "framing=t-last|t-first"},
+    OptionFacts{"framing", "vmc", false, true, "framing=t-last|t-first|split"},
+    OptionFacts{"root", "vmc", false, true, "root=character|origin"},
     OptionFacts{"character", "xsens", false, true, "character=ID"},
 };
 
@@ -188,10 +189,25 @@ Result<StreamUri> parse_stream_uri(std::string_view text) {
   return uri;
 }
 
+namespace {
+
+bool is_this_machine(std::string_view host) {
+  return host == "localhost" || host.starts_with("127.");
+}
+
+}  // namespace
+
+Status check_no_loop(const StreamUri& listen, const StreamUri& send) {
+  const bool same_port = send.scheme == listen.scheme && send.port == listen.port && send.port != 0;
+  if (!same_port || !(is_this_machine(send.host) || send.host == listen.host)) return Done{};
+  return Error{"would come back as the user, since " + listen.text + " is listened to; send to another port",
+               send.text};
+}
+
 std::string listening_words(std::string_view place) {
   const std::string_view host = place.substr(0, place.find(':'));
-  const std::string reach = host == "localhost" || host.starts_with("127.") ? "on this machine only"
-                            : host == "0.0.0.0" || host == "*"              ? "on every network"
+  const std::string reach = is_this_machine(host)              ? "on this machine only"
+                            : host == "0.0.0.0" || host == "*" ? "on every network"
                                                                : "on the network of " + std::string(host);
   return reach + " (" + std::string(place) + ")";
 }

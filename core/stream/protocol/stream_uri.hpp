@@ -56,6 +56,10 @@ enum class StreamDirection { Listen, Send };
 /// An Error for an option of the other direction; lists the valid ones.
 Status check_stream_options(const StreamUri& uri, StreamDirection direction);
 
+/// An Error if what is sent there would be received again as the user: the same protocol and port on this
+/// machine.
+Status check_no_loop(const StreamUri& listen, const StreamUri& send);
+
 /// An option in milliseconds, as seconds; none if it is not given.
 Result<std::optional<double>> milliseconds_option(const StreamUri& uri, std::string_view key,
                                                   double largest_ms);

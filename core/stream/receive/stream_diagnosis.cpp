@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "core/base/text.hpp"
 #include "core/stream/net/usual_ports.hpp"
@@ -170,8 +173,16 @@ void look_for_bones(const StreamObservation& seen, Advice& advice) {
   advice.add(Severity::Error, "no-bones", text);
 }
 
+/// Motive answers from one port and sends frames from another: of NatNet a machine is one sender.
+std::size_t count_senders(const StreamObservation& seen) {
+  std::set<std::string_view> senders;
+  for (const std::string_view sender : seen.recent_senders)
+    senders.insert(seen.uri.scheme == Scheme::NatNet ? sender.substr(0, sender.rfind(':')) : sender);
+  return senders.size();
+}
+
 void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
-  if (seen.recent_senders.size() < 2) return;
+  if (count_senders(seen) < 2) return;
   const std::string who = std::to_string(seen.recent_senders.size()) + " senders send to this port (" +
                           listed(seen.recent_senders) + "). ";
   if (seen.uri.scheme == Scheme::Vmc)

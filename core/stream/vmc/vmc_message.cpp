@@ -193,7 +193,9 @@ OscElement vmc_bone_message(const std::string& name, const Vec3& position,
 }
 
 OscElement vmc_root_message(const Vec3& position, const Eigen::Quaterniond& rotation) {
-  return osc_message("/VMC/Ext/Root/Pos", named_transform("root", position, rotation));
+  std::vector<OscArgument> arguments = named_transform("root", position, rotation);
+  for (const float number : {1.F, 1.F, 1.F, 0.F, 0.F, 0.F}) arguments.push_back(OscArgument::of(number));
+  return osc_message("/VMC/Ext/Root/Pos", arguments);
 }
 
 OscElement vmc_end_message(const std::string& bone, const Vec3& local) {

@@ -60,6 +60,7 @@ Eigen::Quaterniond mirrored(const Eigen::Quaterniond& rotation);
 
 OscElement vmc_bone_message(const std::string& name, const Vec3& position,
                             const Eigen::Quaterniond& rotation);
+/// With the scale and offset of version 2.1, which change nothing.
 OscElement vmc_root_message(const Vec3& position, const Eigen::Quaterniond& rotation);
 OscElement vmc_end_message(const std::string& bone, const Vec3& local);
 

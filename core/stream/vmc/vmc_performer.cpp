@@ -105,12 +105,27 @@ void VmcPerformer::bone(const VmcBone& received, double arrived_s, Decoded& out)
   watch_.bone(*known, received.local, arrived_s);
 }
 
+/// SlimeVR and others send bones that nothing tracks at their parent's place, without a turn.
+HumanoidPose VmcPerformer::tracked_pose() const {
+  constexpr double no_place_m = 1e-6, no_turn_rad = 1e-6;
+  HumanoidPose pose = pose_;
+  if (pose.lacks_offsets()) return pose;  // then no bone has a place
+  for (int bone = humanoid::Hips + 1; bone < humanoid::bone_count; ++bone) {
+    const auto b = static_cast<std::size_t>(bone);
+    const bool is_idle = pose.position[b].norm() < no_place_m &&
+                         pose.rotation[b].angularDistance(Eigen::Quaterniond::Identity()) < no_turn_rad;
+    pose.present[b] = pose.present[b] && !is_idle;
+  }
+  return pose;
+}
+
 void VmcPerformer::finish(const std::optional<VmcFraming::Frame>& frame, Decoded& out) {
   if (!frame) return;
   watch_.frame();
+  const HumanoidPose pose = tracked_pose();
   std::string missing;
   for (const int bone : humanoid::required)
-    if (!pose_.present[static_cast<std::size_t>(bone)])
+    if (!pose.present[static_cast<std::size_t>(bone)])
       missing += (missing.empty() ? "" : ", ") + humanoid_bone_name(bone);
   if (!missing.empty()) {
     out.issues.push_back({"missing-bones", name_ + ": no pose without " + missing});
@@ -119,13 +134,13 @@ void VmcPerformer::finish(const std::optional<VmcFraming::Frame>& frame, Decoded
   if (frame->held > 0)
     out.issues.push_back({"incomplete-frame", name_ + ": " + std::to_string(frame->held) +
                                                   " bones of the frame before did not come; they are held"});
-  if (calibrate_next_) points_.calibrate(pose_);
+  if (calibrate_next_) points_.calibrate(pose);
   calibrate_next_ = false;
   ++frames_;
   PerformerFrame done;
   done.performer = name_;
-  done.points = points_.names(pose_);
-  done.positions = points_.positions(pose_);
+  done.points = points_.names(pose);
+  done.positions = points_.positions(pose);
   done.sender_time_s = frame->time;
   done.first_arrived_s = frame->first_arrived_s;
   done.arrived_s = frame->arrived_s;
@@ -139,14 +154,17 @@ void VmcPerformer::pass_time(double now_s, Decoded& out) {
 
 void VmcPerformer::calibrate() {
   if (frames_ > 0)
-    points_.calibrate(pose_);
+    points_.calibrate(tracked_pose());
   else
     calibrate_next_ = true;
 }
 
 std::string VmcPerformer::facts() const {
-  const auto bones = std::count(pose_.present.begin(), pose_.present.end(), true);
+  const HumanoidPose pose = tracked_pose();
+  const auto bones = std::count(pose.present.begin(), pose.present.end(), true);
+  const auto idle = std::count(pose_.present.begin(), pose_.present.end(), true) - bones;
   std::string facts = name_ + ": " + std::to_string(bones) + " bones";
+  if (idle > 0) facts += ", " + std::to_string(idle) + " more at their parent's place are left out";
   if (bones > 0 && pose_.lacks_offsets()) facts += ", no offsets: an average body's are used";
   if (points_.is_calibrated())
     facts += ", calibrated";

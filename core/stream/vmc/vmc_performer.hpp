@@ -35,6 +35,7 @@ class VmcPerformer {
   void message(const VmcMessage& message, double arrived_s, Decoded& out);
   void bone(const VmcBone& bone, double arrived_s, Decoded& out);
   std::optional<int> bone_named(const std::string& name);
+  HumanoidPose tracked_pose() const;
   void finish(const std::optional<VmcFraming::Frame>& frame, Decoded& out);
   bool is_duplicate(const Datagram& datagram);
 

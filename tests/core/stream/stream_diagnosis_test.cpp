@@ -152,6 +152,12 @@ TEST(StreamDiagnosis, SeesWhatIsWrongWithTheNetwork) {
   using P = PerformerObservation;
   EXPECT_THAT(when([](S& s, P&) { s.recent_senders.emplace_back("10.0.0.2:5"); }),
               HasSubstr("two-senders: 2 senders"));
+  EXPECT_THAT(when([](S& s, P&) {
+                s.uri.scheme = StreamUri::Scheme::NatNet;
+                s.recent_senders = {"10.0.0.2:1510", "10.0.0.2:1511"};
+              }),
+              Not(HasSubstr("two-senders")))
+      << "Motive answers from one port and sends from the other";
   EXPECT_THAT(when([](S& s, P&) { s.recent_overflow = 7; }), HasSubstr("kernel-overflow: 7 packets"));
   EXPECT_THAT(when([](S& s, P&) { s.group_failure = "no group"; }), HasSubstr("multicast: no group"));
   EXPECT_THAT(when([](S&, P& p) { p.recent_lost = 10; }), HasSubstr("loss: 2.0 % of the frames are lost"));

@@ -46,6 +46,19 @@ TEST(StreamUri, SaysWhoReachesAPlaceThatIsListenedAt) {
             "on the network of 10.0.0.2 (10.0.0.2:5000 and multicast 239.255.42.99:1511)");
 }
 
+TEST(StreamUri, WhatIsSentDoesNotComeBackAsTheUser) {
+  const auto refused = [](const char* listen, const char* send) {
+    const Status away = check_no_loop(*parse_stream_uri(listen), *parse_stream_uri(send));
+    return away ? std::string() : away.error().text();
+  };
+  EXPECT_THAT(refused("vmc://127.0.0.1:39539", "vmc://127.0.0.1:39539"),
+              HasSubstr("would come back as the user"));
+  EXPECT_NE(refused("vmc://*:39539", "vmc://localhost:39539"), "");
+  EXPECT_NE(refused("vmc://192.168.1.7:39539", "vmc://192.168.1.7:39539"), "");
+  EXPECT_EQ(refused("vmc://127.0.0.1:39539", "vmc://127.0.0.1:39540"), "");
+  EXPECT_EQ(refused("vmc://127.0.0.1:39539", "vmc://192.168.1.7:39539"), "") << "another machine's port";
+}
+
 TEST(StreamUri, OfAClipIsAFileWithAnyCharacter) {
   const auto uri = parse_stream_uri("clip:takes/a?b&c.bvh");
   ASSERT_TRUE(uri);

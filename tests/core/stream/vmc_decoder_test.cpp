@@ -123,7 +123,8 @@ TEST(VmcDecoder, KnowsAllNamesOfUnitysHumanoid) {
   EXPECT_EQ(humanoid::bone_count, 55);
   Receiver receiver;
   UnityPose pose = t_pose();
-  for (int bone = 0; bone < humanoid::bone_count; ++bone) pose[humanoid_bone_name(bone)];
+  for (int bone = 0; bone < humanoid::bone_count; ++bone)
+    if (!pose.contains(humanoid_bone_name(bone))) pose[humanoid_bone_name(bone)].position = {0, 0.01, 0};
   pose["LastBone"];
   receiver.take(as_slimevr(pose, 1), 1);
   EXPECT_EQ(receiver.count("unknown-bone"), 0);
@@ -158,6 +159,24 @@ TEST(VmcDecoder, HangsBonesOnTheNextAncestorThatIsThere) {
   // Without toes the foot's own end tells where it points.
   EXPECT_TRUE(receiver.has_point("LeftFoot_End"));
   EXPECT_GT(receiver.joints()(joints::left_toe_tip, 2), 0.1);
+}
+
+TEST(VmcDecoder, ABoneAtItsParentsPlaceWithoutATurnIsMissingAndNotShort) {
+  UnityPose pose = t_pose();
+  for (const char* name : {"LeftToes", "RightToes", "Chest"}) pose[name] = {};
+  Receiver receiver;
+  receiver.take(as_slimevr(pose, 1), 1);
+  EXPECT_FALSE(receiver.has_point("LeftToes"));
+  EXPECT_FALSE(receiver.has_point("Chest"));
+  EXPECT_TRUE(receiver.has_point("LeftFoot_End"));
+  EXPECT_GT(receiver.joints()(joints::left_toe_tip, 2), 0.1) << "as without toes";
+  EXPECT_THAT(receiver.decoder->facts(),
+              testing::Contains(HasSubstr("3 more at their parent's place are left out")));
+  pose["LeftHand"] = {};
+  receiver.out.frames.clear();
+  receiver.take(as_slimevr(pose, 2), 2);
+  EXPECT_THAT(receiver.out.frames, IsEmpty());
+  EXPECT_THAT(receiver.text("missing-bones"), HasSubstr("no pose without LeftHand"));
 }
 
 TEST(VmcDecoder, CountsUnknownBonesAndLeavesThemOut) {
