@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/text.hpp"
 
 namespace abrazo {
@@ -9,6 +12,13 @@ namespace abrazo {
 namespace {
 
 constexpr std::size_t most_fields = 64;
+constexpr std::string_view separators = ",;\t";  ///< the first of equals
+
+/// Whether a spreadsheet would take the text for a formula, or would after one apostrophe is taken away.
+bool begins_like_a_formula(std::string_view text) {
+  const std::size_t at = text.find_first_not_of('\'');
+  return at != std::string_view::npos && std::string_view("=+-@").find(text[at]) != std::string_view::npos;
+}
 
 /// Reads field by field.
 class CsvReader {
@@ -26,11 +36,47 @@ class CsvReader {
     return {std::move(message), fmt::format("{}:{}", where_, line)};
   }
 
+  void find_separator();
+
   std::string_view text_;
   std::string_view where_;
+  char separator_ = ',';
   std::size_t at_ = 0;
   std::size_t line_ = 1;
 };
+
+/// "1,5" as a spreadsheet writes it that separates by semicolons.
+bool has_decimal_comma(std::string_view field) {
+  const std::size_t comma = field.find(',');
+  const auto are_digits = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  return comma != std::string_view::npos && are_digits(field.substr(field.starts_with('-') ? 1 : 0, comma)) &&
+         are_digits(field.substr(comma + 1));
+}
+
+/// As the file says it ("sep=;", of Excel), else the one of which the first line has most outside quotes.
+void CsvReader::find_separator() {
+  const std::string_view rest = text_.substr(at_);
+  if (constexpr std::string_view said = "sep="; rest.size() > said.size() && rest.starts_with(said)) {
+    separator_ = rest[said.size()];
+    at_ += said.size() + 1;
+    if (at_line_end()) return skip_line_end();
+    at_ -= said.size() + 1;
+    separator_ = ',';
+  }
+  const std::size_t first = rest.find_first_not_of("\r\n");
+  if (first == std::string_view::npos) return;
+  std::array<std::size_t, separators.size()> counts{};
+  bool is_quoted = false;
+  for (const char c : rest.substr(first)) {
+    if (!is_quoted && (c == '\n' || c == '\r')) break;
+    if (c == '"') is_quoted = !is_quoted;
+    if (const std::size_t which = separators.find(c); !is_quoted && which != std::string_view::npos)
+      ++counts[which];
+  }
+  separator_ = separators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
+}
 
 void CsvReader::skip_line_end() {
   if (at_end()) return;
@@ -58,19 +104,21 @@ Status CsvReader::read_quoted(std::string& field) {
 
 Status CsvReader::read_field(CsvRow& row) {
   std::string field;
-  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+  while (!at_end() && (text_[at_] == ' ' || text_[at_] == '\t') && text_[at_] != separator_) ++at_;
   const bool quoted = !at_end() && text_[at_] == '"';
   if (quoted)
     if (const Status read = read_quoted(field); !read) return read;
   const std::size_t from = at_;
-  while (!at_line_end() && text_[at_] != ',') ++at_;
+  while (!at_line_end() && text_[at_] != separator_) ++at_;
   const std::string_view rest = trimmed(text_.substr(from, at_ - from));
   if (quoted && !rest.empty())
     return error(line_,
-                 fmt::format("{} follows the quotes of a field; put a comma between", in_quotes(rest)));
+                 fmt::format("{} follows the quotes of a field; put a separator between", in_quotes(rest)));
   if (!quoted) field = rest;
+  if (separator_ == ';' && has_decimal_comma(field)) field.replace(field.find(','), 1, ".");
+  if (field.starts_with('\'') && begins_like_a_formula(field)) field.erase(0, 1);
   if (row.fields.size() == most_fields)
-    return error(line_, fmt::format("has more than {} fields; is it a table with commas?", most_fields));
+    return error(line_, fmt::format("has more than {} fields; is it a table of labels?", most_fields));
   row.fields.push_back(std::move(field));
   return Done{};
 }
@@ -78,16 +126,18 @@ Status CsvReader::read_field(CsvRow& row) {
 Result<std::vector<CsvRow>> CsvReader::rows() {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
+  find_separator();
   std::vector<CsvRow> rows;
   while (!at_end()) {
     CsvRow row{line_, {}};
     for (bool more = true; more;) {
       if (const Status read = read_field(row); !read) return read.error();
-      more = !at_end() && text_[at_] == ',';
+      more = !at_end() && text_[at_] == separator_;
       if (more) ++at_;
     }
     skip_line_end();
-    if (row.fields.size() > 1 || !row.fields.front().empty()) rows.push_back(std::move(row));
+    if (std::ranges::any_of(row.fields, [](const std::string& field) { return !field.empty(); }))
+      rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -98,9 +148,10 @@ Result<std::vector<CsvRow>> parse_csv(std::string_view text, std::string_view wh
   return CsvReader(text, where).rows();
 }
 
-std::string csv_field(std::string_view text) {
+std::string csv_field(std::string_view words) {
+  const std::string text = (begins_like_a_formula(words) ? "'" : "") + std::string(words);
   const bool plain = text.find_first_of(",\"\n\r") == std::string_view::npos && trimmed(text) == text;
-  if (plain) return std::string(text);
+  if (plain) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';

@@ -13,6 +13,14 @@ namespace {
 
 constexpr std::size_t most_tiers = 1000;
 
+/// The whole text of an element: comments and CDATA sections cut it into pieces.
+std::string text_of(pugi::xml_node element) {
+  std::string text;
+  for (const pugi::xml_node piece : element.children())
+    if (piece.type() == pugi::node_pcdata || piece.type() == pugi::node_cdata) text += piece.value();
+  return text;
+}
+
 class EafReader {
  public:
   EafReader(pugi::xml_node root, std::string_view where) : root_(root), where_(where) {}
@@ -55,7 +63,7 @@ void EafReader::read_header(pugi::xml_node header) {
     if (media.attribute("TIME_ORIGIN").as_llong() != 0) ++contents_.media_with_offset;
   for (const pugi::xml_node property : header.children("PROPERTY"))
     if (std::string_view(property.attribute("NAME").value()) == eaf_facts_property)
-      contents_.tier_facts = property.text().get();
+      contents_.tier_facts = text_of(property);
 }
 
 void EafReader::read_slot(pugi::xml_node node) {
@@ -75,7 +83,7 @@ void EafReader::read_slot(pugi::xml_node node) {
 EafContents::Annotation EafReader::annotation(pugi::xml_node node) {
   EafContents::Annotation one;
   one.id = required(node, "ANNOTATION_ID");
-  one.value = node.child("ANNOTATION_VALUE").text().get();
+  one.value = text_of(node.child("ANNOTATION_VALUE"));
   one.entry = node.attribute("CVE_REF").value();
   one.alignable = std::string_view(node.name()) == "ALIGNABLE_ANNOTATION";
   if (one.alignable) {
@@ -106,13 +114,13 @@ void EafReader::read_vocabulary(pugi::xml_node node) {
   EafContents::Vocabulary vocabulary;
   vocabulary.is_elsewhere = node.attribute("EXT_REF");
   for (const pugi::xml_node entry : node.children("CV_ENTRY"))
-    vocabulary.entries.push_back({entry.attribute("CVE_ID").value(),
-                                  {{"", entry.text().get(), entry.attribute("DESCRIPTION").value()}}});
+    vocabulary.entries.push_back(
+        {entry.attribute("CVE_ID").value(), {{"", text_of(entry), entry.attribute("DESCRIPTION").value()}}});
   for (const pugi::xml_node entry : node.children("CV_ENTRY_ML")) {
     EafContents::Entry words{entry.attribute("CVE_ID").value(), {}};
     for (const pugi::xml_node word : entry.children("CVE_VALUE"))
       words.words.push_back(
-          {word.attribute("LANG_REF").value(), word.text().get(), word.attribute("DESCRIPTION").value()});
+          {word.attribute("LANG_REF").value(), text_of(word), word.attribute("DESCRIPTION").value()});
     vocabulary.entries.push_back(std::move(words));
   }
   contents_.vocabularies[required(node, "CV_ID")] = std::move(vocabulary);

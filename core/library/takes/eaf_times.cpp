@@ -112,8 +112,10 @@ Status EafTimes::divide(const EafContents& contents, const Family& family, const
   const double step_s =
       (whole.end_s - whole.start_s) / (divided ? static_cast<double>(siblings.size()) : 1.0);
   for (std::size_t i = 0; i < siblings.size(); ++i) {
-    const double start_s = whole.start_s + step_s * static_cast<double>(i);
-    const double end_s = i + 1 == siblings.size() ? whole.end_s : start_s + step_s;
+    // The end of one is the start of the next to the last bit.
+    const auto boundary = [&](std::size_t at) { return whole.start_s + step_s * static_cast<double>(at); };
+    const double start_s = boundary(i);
+    const double end_s = i + 1 == siblings.size() ? whole.end_s : boundary(i + 1);
     if (!spans_.emplace(siblings[i]->id, EafSpan{start_s, end_s}).second)
       return in_tier(*family.tier, fmt::format("the annotation name {} is used twice; give each its own",
                                                in_quotes(siblings[i]->id)));

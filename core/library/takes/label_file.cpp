@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 
 #include "core/base/text.hpp"
 #include "core/library/takes/csv_text.hpp"
@@ -17,12 +18,12 @@ struct LabelRow {
 };
 
 bool is_header(const std::vector<std::string>& fields) {
-  return fields.size() > 1 && lower_case(fields[0]) == "take" && !parse_integer(fields[1]);
+  return fields.size() > 1 && lower_case(fields[0]) == "take" && !parse_number(fields[1]);
 }
 
 Result<int> parse_frame(std::string_view field, const char* what, std::string_view where, std::size_t line) {
-  const auto number = parse_integer(field);
-  if (!number || *number < 0 || *number > INT_MAX)
+  const auto number = parse_number(field);  // pandas writes 12.0
+  if (!number || !(*number >= 0 && *number <= INT_MAX) || *number != std::floor(*number))
     return error_at_line(where, line,
                          fmt::format("expected {} as a frame number from 0 on, found \"{}\"", what, field));
   return static_cast<int>(*number);

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "core/base/atomic_file.hpp"
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/library/takes/refusal.hpp"
 
 namespace abrazo {
@@ -205,7 +205,7 @@ int line_of(std::string_view text, std::size_t byte) {
 }  // namespace
 
 Result<Manifest> parse_manifest(std::string_view text, const fs::path& file) {
-  if (nests_too_deep(text)) return Error{too_deep_words, file.string()};
+  if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, file.string()};
   try {
     const json root = json::parse(text);
     std::vector<std::string> warnings;

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
 #include "core/library/takes/refusal.hpp"
 #include "core/library/takes/tier_kind.hpp"
@@ -166,7 +166,7 @@ std::string tier_facts_json(std::span<const Tier> tiers) {
 
 Result<std::vector<Tier>> parse_tiers_json(std::string_view text, std::string_view where,
                                            std::vector<std::string>& warnings) {
-  if (nests_too_deep(text)) return Error{too_deep_words, std::string(where)};
+  if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, std::string(where)};
   try {
     const json content = json::parse(text);
     const TierNode root{content, std::string(where) + ": ", warnings};

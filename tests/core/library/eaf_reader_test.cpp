@@ -59,6 +59,39 @@ TEST(EafReader, ReadsVocabulariesOfBefore28) {
   EXPECT_THAT(found.warnings, IsEmpty());
 }
 
+TEST(EafReader, WhatDividesItsParentMeetsWithoutAGapOrAnOverlap) {
+  for (int end_ms = 1001; end_ms < 1400; end_ms += 7)
+    for (int parts = 2; parts < 9; ++parts) {
+      std::string children;
+      for (int i = 0; i < parts; ++i)
+        children += referring(("c" + std::to_string(i)).c_str(), "a1", std::to_string(i).c_str(),
+                              i == 0 ? "" : ("c" + std::to_string(i - 1)).c_str());
+      const TierDocument found = read(document(
+          slot(1, "3") + slot(2, std::to_string(end_ms).c_str()),
+          "<TIER LINGUISTIC_TYPE_REF=\"t\" TIER_ID=\"p\">" + aligned("a1", 1, 2, "whole") +
+              "</TIER><TIER LINGUISTIC_TYPE_REF=\"s\" PARENT_REF=\"p\" TIER_ID=\"c\">" + children + "</TIER>",
+          "<LINGUISTIC_TYPE LINGUISTIC_TYPE_ID=\"t\"/>"
+          "<LINGUISTIC_TYPE CONSTRAINTS=\"Symbolic_Subdivision\" LINGUISTIC_TYPE_ID=\"s\"/>"));
+      ASSERT_EQ(found.tiers.size(), 2U);
+      const auto& intervals = found.tiers[1].intervals;
+      ASSERT_EQ(intervals.size(), static_cast<std::size_t>(parts));
+      for (std::size_t i = 1; i < intervals.size(); ++i)
+        EXPECT_EQ(intervals[i - 1].end_s, intervals[i].start_s);
+      EXPECT_EQ(intervals.back().end_s, end_ms / 1000.0);
+    }
+}
+
+TEST(EafReader, CommentsAndCdataDoNotCutAValue) {
+  const TierDocument found =
+      read(document(slot(1, "0") + slot(2, "1500"),
+                    "<TIER LINGUISTIC_TYPE_REF=\"t\" TIER_ID=\"Move\">" +
+                        aligned("a1", 1, 2, "turn<!-- checked --> to the <![CDATA[<left>]]>") + "</TIER>",
+                    "<LINGUISTIC_TYPE LINGUISTIC_TYPE_ID=\"t\"/>"));
+  ASSERT_EQ(found.tiers.size(), 1U);
+  ASSERT_EQ(found.tiers[0].intervals.size(), 1U);
+  EXPECT_EQ(found.tiers[0].intervals[0].value, "turn to the <left>");
+}
+
 /// A vocabulary in two languages, and a tier that may say which is its own.
 std::string bilingual(const char* value, const char* tier_language) {
   const std::string language =

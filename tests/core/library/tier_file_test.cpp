@@ -1,5 +1,6 @@
 #include "core/library/takes/tier_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,6 +9,8 @@
 #include <filesystem>
 
 #include "core/base/atomic_file.hpp"
+#include "core/library/takes/csv_text.hpp"
+#include "core/library/takes/manifest.hpp"
 
 namespace abrazo::tier_file_test {
 namespace {
@@ -51,6 +54,45 @@ std::vector<Tier> plain(std::vector<Tier> tiers, bool remarks) {
       if (!remarks) one.detail.clear(), one.confidence.clear();
   }
   return tiers;
+}
+
+// As Excel in German, Excel elsewhere, and pandas write them.
+TEST(TierCsv, TablesOfOtherProgramsAreReadByTheirSeparator) {
+  const auto frames = [](const std::string& csv) {
+    const auto labels = parse_labels(csv, "one", "x.csv");
+    if (!labels) return labels.error().text();
+    std::string text;
+    for (const LabelInterval& label : *labels)
+      text += fmt::format("{}-{} {};", label.start, label.end, label.label);
+    return text;
+  };
+  const std::string expected = "0-12 turn, left;20-30 basic;";
+  EXPECT_EQ(frames("take,start_frame,end_frame,label\none,0,12,\"turn, left\"\none,20,30,basic\n"), expected);
+  EXPECT_EQ(frames("take;start_frame;end_frame;label\r\none;0;12;turn, left\r\n;;;\r\none;20;30;basic\r\n"),
+            expected);
+  EXPECT_EQ(
+      frames("take\tstart_frame\tend_frame\tlabel\none\t0\t12\tturn, left\none\t20\t30\tbasic\n\t\t\t\n"),
+      expected);
+  EXPECT_EQ(frames("sep=;\r\none;0;12;turn, left\r\none;20;30;basic\r\n"), expected);
+  EXPECT_EQ(frames("one,0.0,12.0,\"turn, left\"\none,20.0,30.0,basic\n,,,\n"), expected);
+  EXPECT_THAT(frames("one,0.5,12,turn\n"), HasSubstr("expected start_frame as a frame number"));
+  const auto document = parse_tiers("tier;start;end;value\nmove;0,5;1,25;basic\n", "x.csv", {});
+  ASSERT_TRUE(document) << document.error().text();
+  EXPECT_EQ(document->tiers.front().intervals.front().start_s, 0.5);
+  EXPECT_EQ(document->tiers.front().intervals.front().end_s, 1.25);
+}
+
+// As a spreadsheet would run it.
+TEST(TierCsv, TextsThatBeginLikeAFormulaStandBehindAnApostropheAndComeBack) {
+  for (const std::string text : {"=1+1", "+1", "-turn", "@cmd", "'=1", "''-x", "turn", "a-b", "'tis"}) {
+    const std::string field = csv_field(text);
+    EXPECT_THAT(field, testing::Not(testing::ContainsRegex("^[=+@-]"))) << text;
+    const auto rows = parse_csv(field + ",1\n", "x.csv");
+    ASSERT_TRUE(rows);
+    EXPECT_EQ(rows->front().fields, (std::vector<std::string>{text, "1"}));
+  }
+  EXPECT_EQ(csv_field("turn"), "turn");
+  EXPECT_EQ(parse_csv("-1.5\n", "x.csv")->front().fields.front(), "-1.5") << "a number is none";
 }
 
 TEST(TierFile, EafKeepsEverything) {
