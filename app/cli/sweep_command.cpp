@@ -22,15 +22,6 @@ struct SweepArguments {
   SettingsOptions settings;
 };
 
-/// Distinguishes the data of this sweep from others.
-std::string data_name(const EvaluationData& data, const std::vector<std::string>& hold_out) {
-  std::string name = fmt::format("{} ({} pairs)", data.name, data.library->pair_count());
-  if (!data.users_name.empty()) name += ", users " + data.users_name;
-  if (data.both_roles) name += ", both roles";
-  for (std::size_t i = 0; i < hold_out.size(); ++i) name += (i == 0 ? ", answered " : " ") + hold_out[i];
-  return name;
-}
-
 Result<SweepOutcome> run(CommandLine& line, const SweepArguments& arguments) {
   if (arguments.merge) return merge_sweep(arguments.report, arguments.metric);
   const auto settings = arguments.settings.read();
@@ -51,7 +42,7 @@ Result<SweepOutcome> run(CommandLine& line, const SweepArguments& arguments) {
   const auto data = read_takes(line, *manifests, arguments.source.both_roles, part(progress, 0, 0.05));
   if (!data) return data.error();
   const std::vector<std::string>& hold_out = arguments.source.hold_out;
-  sweep.data = data_name(*data, hold_out);
+  sweep.data = identity_of(*data, hold_out);
   const auto evaluate_point = [&](const Settings& at, const Progress& within) {
     return evaluate(*data, {.parts = sweep_parts(), .settings = at, .hold_out = hold_out, .variants = false},
                     within);

@@ -59,6 +59,18 @@ TEST_F(SweepCommand, ShardsSayWhatIsMissingAndMergeIntoTheSameGrid) {
   EXPECT_EQ(merged["best"], whole["best"]);
 }
 
+TEST_F(SweepCommand, ShardsOfOtherDataOfTheSameNameAndSizeAreRefused) {
+  ASSERT_EQ(sweep("--shard 1/2").status, 0);
+  // The two performers of each take change places: as many pairs, by the same names.
+  auto manifest = nlohmann::json::parse(read("demo/manifest.json"));
+  for (auto& take : manifest["takes"]) std::swap(take["a"], take["b"]);
+  write("demo/manifest.json", manifest.dump());
+  const Outcome other = sweep("--shard 2/2");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("it evaluates"));
+  EXPECT_THAT(report_files(), ElementsAre("shard-1-of-2.json"));
+}
+
 TEST_F(SweepCommand, AMergeDrawsAnotherMetric) {
   ASSERT_EQ(sweep("").status, 0);
   const Outcome outcome = run("sweep --merge --metric contact.hold_change_mean_m --report s");

@@ -6,9 +6,34 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/checksum.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo {
+
+namespace {
+
+void add_text(ContentHash& hash, std::string_view text) {
+  hash.add(std::uint64_t{text.size()});
+  for (const char c : text) hash.add(std::uint64_t{static_cast<unsigned char>(c)});
+}
+
+void add_take(ContentHash& hash, const PairedTake& take) {
+  add_text(hash, take.name);
+  hash.add(take.fps);
+  for (const Clip* clip : {&take.a, &take.b})
+    for (const Pose& pose : clip->poses)
+      for (const double coordinate : pose.reshaped()) hash.add(coordinate);
+  for (const RoleInterval& role : take.roles)
+    for (const int word : {role.start, role.end, static_cast<int>(role.active)})
+      hash.add(static_cast<std::uint64_t>(word));
+  for (const LabelInterval& label : take.labels) {
+    for (const int word : {label.start, label.end}) hash.add(static_cast<std::uint64_t>(word));
+    add_text(hash, label.label);
+  }
+}
+
+}  // namespace
 
 Result<std::set<EvaluationPart>> evaluation_parts(std::span<const std::string> names) {
   std::set<EvaluationPart> parts;
@@ -44,6 +69,18 @@ Result<EvaluationData> read_evaluation_data(const EvaluationManifests& manifests
                                             const Progress& progress) {
   return read_evaluation_data(manifests.manifest, manifests.users ? &*manifests.users : nullptr, both_roles,
                               progress);
+}
+
+std::string identity_of(const EvaluationData& data, std::span<const std::string> hold_out) {
+  ContentHash hash;
+  for (const std::vector<PairedTake>* takes : {&data.takes, &data.users})
+    for (const PairedTake& take : *takes) add_take(hash, take);
+  std::string name =
+      fmt::format("{} ({} pairs, checksum {})", data.name, data.library->pair_count(), hash.text());
+  if (!data.users_name.empty()) name += ", users " + data.users_name;
+  if (data.both_roles) name += ", both roles";
+  if (!hold_out.empty()) name += fmt::format(", answered {}", fmt::join(hold_out, " "));
+  return name;
 }
 
 }  // namespace abrazo

@@ -38,4 +38,8 @@ Result<EvaluationManifests> read_manifests(const EvaluationSource& source);
 Result<EvaluationData> read_evaluation_data(const EvaluationManifests& manifests, bool both_roles,
                                             const Progress& progress);
 
+/// What tells these data from others, for people and for shards that are to be merged: name, number of pairs,
+/// who is answered, and a checksum of all motions, roles and labels.
+std::string identity_of(const EvaluationData& data, std::span<const std::string> hold_out);
+
 }  // namespace abrazo

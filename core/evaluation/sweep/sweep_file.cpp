@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.hpp"
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/version.hpp"
 #include "core/evaluation/report/report_json.hpp"
 
@@ -100,7 +100,7 @@ std::string shard_json(const Sweep& sweep, const SweepShard& shard, const std::v
 Result<SweepShardFile> read_shard_file(const fs::path& path) {
   const auto text = read_whole_file(path);
   if (!text) return text.error();
-  if (nests_too_deep(*text)) return Error{too_deep_words, path.string()};
+  if (const char* beyond = json_beyond_bounds(*text)) return Error{beyond, path.string()};
   const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_sweep"))
     return Error{"is no shard of a sweep, or is damaged; remove or rename it", path.string()};
