@@ -14,8 +14,17 @@ namespace {
 std::atomic<bool> was_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
 
+std::atomic<unsigned> patience_s = 0;
+
+/// Whatever the program waits for, it does not wait for ever.
+void end_anyway(int /*signal*/) {
+  std::signal(SIGTERM, SIG_DFL);
+  std::raise(SIGTERM);
+}
+
 void note_signal(int /*signal*/) {
   was_interrupted = true;
+  ::alarm(patience_s);
 }
 
 std::atomic<int> noted_itself = 0;
@@ -24,7 +33,7 @@ std::atomic<int> noted_itself = 0;
 std::atomic<pid_t> parent = 0;
 
 void note_signal_of_child(int signal, siginfo_t* info, void* /*context*/) {
-  was_interrupted = true;
+  note_signal(signal);
   const bool is_passed_on = info->si_code == SI_USER && info->si_pid == parent;
   if (!is_passed_on && noted_itself.fetch_add(1) > 0) {
     std::signal(signal, SIG_DFL);
@@ -32,7 +41,9 @@ void note_signal_of_child(int signal, siginfo_t* info, void* /*context*/) {
   }
 }
 
-void handle(const struct sigaction& action) {
+void handle(const struct sigaction& action, unsigned patience = interruption_patience_s) {
+  patience_s = patience;
+  std::signal(SIGALRM, end_anyway);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction previous {};
     // What the parent has us ignore (nohup, a shell's background job) stays ignored.
@@ -43,11 +54,11 @@ void handle(const struct sigaction& action) {
 
 }  // namespace
 
-void note_interruptions() {
+void note_interruptions(unsigned patience) {
   struct sigaction action {};
   action.sa_handler = note_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  handle(action);
+  handle(action, patience);
 }
 
 void leave_second_signal_to_child() {

@@ -10,14 +10,13 @@
 #include <iterator>
 #include <random>
 
+#include "core/base/available_memory.hpp"
+
 namespace abrazo {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// An hour of one person at 120 Hz is some 300 MB as BVH text.
-constexpr std::uintmax_t most_bytes_read_whole = std::uintmax_t{4} << 30;
 
 /// Number of attempts to draw an unused name; a name of 62 bits is never taken by accident.
 constexpr int most_draws = 100;
@@ -79,7 +78,7 @@ Status write_whole_file(const fs::path& target, std::string_view content) {
   return file.commit();
 }
 
-Result<std::string> read_whole_file(const fs::path& path) {
+Result<std::string> read_whole_file(const fs::path& path, std::uintmax_t most_bytes) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
   if (fs::is_directory(status)) return Error{"is a folder; name a file", path.string()};
@@ -87,13 +86,21 @@ Result<std::string> read_whole_file(const fs::path& path) {
   if (fs::exists(status) && !fs::is_regular_file(status))
     return Error{"is a device or a pipe; name a file", path.string()};
   const std::uintmax_t bytes = fs::file_size(path, failure);
-  if (!failure && bytes > most_bytes_read_whole)
-    return Error{"is " + std::to_string(bytes >> 20) + " MB large; files of this kind are read up to " +
-                     std::to_string(most_bytes_read_whole >> 20) + " MB. Split it",
+  if (!failure && bytes > most_bytes)
+    return Error{"is " + std::to_string(bytes >> 20U) + " MB large; files of this kind are read up to " +
+                     std::to_string(most_bytes >> 20U) + " MB. Split it",
+                 path.string()};
+  if (const std::uint64_t free = available_memory_bytes(); !failure && bytes > free / 2)
+    return Error{"is " + std::to_string(bytes >> 20U) + " MB large, and " + std::to_string(free >> 20U) +
+                     " MB of memory are free; close other programs, or split it",
                  path.string()};
   std::ifstream in(path, std::ios::binary);
   if (!in) return Error{std::string("cannot be opened: ") + std::strerror(errno), path.string()};
-  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  std::string content(failure ? 0 : static_cast<std::size_t>(bytes), '\0');
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  content.append(std::istreambuf_iterator<char>(in), {});  // what was written meanwhile
+  return content;
 }
 
 }  // namespace abrazo

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "core/base/limits.hpp"
 #include "core/base/result.hpp"
 
 namespace abrazo {
@@ -41,7 +43,9 @@ class AtomicFile {
 /// Writes `content` to `target`, completely or not at all.
 Status write_whole_file(const std::filesystem::path& target, std::string_view content);
 
-/// The content of a file. An Error that names it, also for pipes, devices and files above 4 GB.
-Result<std::string> read_whole_file(const std::filesystem::path& path);
+/// The content of a file. An Error that names it, also for pipes, devices and files that are larger, or as
+/// large as half of the memory that is free.
+Result<std::string> read_whole_file(const std::filesystem::path& path,
+                                    std::uintmax_t most_bytes = limits::whole_file_bytes);
 
 }  // namespace abrazo

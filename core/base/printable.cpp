@@ -1,5 +1,9 @@
 #include "core/base/printable.hpp"
 
+#include <cstddef>
+
+#include "core/base/limits.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -38,7 +42,10 @@ std::string printable(std::string_view text) {
 }
 
 std::string printable_line(std::string_view text) {
-  return without_controls(text, "");
+  if (text.size() <= limits::line_bytes) return without_controls(text, "");
+  std::size_t end = limits::line_bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;  // within a character
+  return without_controls(text.substr(0, end), "") + "... (" + std::to_string(text.size()) + " bytes)";
 }
 
 }  // namespace abrazo

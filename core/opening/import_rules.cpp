@@ -11,7 +11,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/checksum.hpp"
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
 
@@ -87,7 +87,7 @@ Result<MotionReading> reading_in(const RuleJson& json, const std::string& where)
 }
 
 Result<RuleJson> json_in(std::string_view text, const std::string& where) {
-  if (nests_too_deep(text)) return Error{too_deep_words, where};
+  if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, where};
   RuleJson json = RuleJson::parse(text, nullptr, false);
   if (json.is_discarded()) return Error{"is no JSON; remove it, and say again how the motion is read", where};
   return json;

@@ -1,8 +1,11 @@
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
 #include <memory>
 #include <thread>
 
+#include "app/cli/interruption.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 
 namespace abrazo::test::interruption_test {
@@ -50,6 +53,15 @@ TEST_F(Interruption, LeavesNoFileBehindAndSaysSo) {
     EXPECT_THAT(outcome.err, HasSubstr("cancelled"));
     EXPECT_THAT(names(), ::testing::ElementsAre("demo", "demo.h5"));
   }
+}
+
+TEST(InterruptionDeathTest, EndsAlsoAProgramThatWaitsForSomethingElse) {
+  const auto wait_for_ever = [] {
+    app::note_interruptions(1);
+    std::raise(SIGTERM);
+    while (true) ::pause();
+  };
+  EXPECT_EXIT(wait_for_ever(), testing::KilledBySignal(SIGTERM), "");
 }
 
 TEST_F(Interruption, TheSecondEndsTheProgramAtOnce) {

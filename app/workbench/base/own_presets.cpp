@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.hpp"
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo::app {
@@ -18,7 +18,7 @@ constexpr std::size_t longest_name = 60;
 Result<std::vector<OwnPreset>> interpreted(const std::string& text, const std::string& place) {
   const Error unreadable{
       "is not a list of presets, or is damaged; repair it or move it away. It stays unchanged", place};
-  if (nests_too_deep(text)) return Error{too_deep_words, place};
+  if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, place};
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_presets")) return unreadable;
   std::vector<OwnPreset> presets;

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -122,7 +122,7 @@ std::string ShortcutTable::refuse(const std::string& id, const std::string& raw,
 
 std::vector<std::string> ShortcutTable::read(const std::string& text, const Normal& normal) {
   std::vector<std::string> told;
-  const Json json = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
+  const Json json = json_beyond_bounds(text) ? Json() : Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_shortcuts") || !json.contains("keys") ||
       !json.at("keys").is_object())
     return {"is not a list of shortcuts, or is damaged; the default keys are in use"};

@@ -20,8 +20,17 @@ namespace {
 std::atomic<int> write_end = -1;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait");
 
+constexpr unsigned patience_s = 30;
+
+/// Whatever keeps the window from hearing the request, the program does not stay for ever.
+void end_anyway(int /*signal*/) {
+  ::signal(SIGTERM, SIG_DFL);
+  ::raise(SIGTERM);
+}
+
 void pass_on(int /*signal*/) {
   const int error = errno;
+  ::alarm(patience_s);
   const char wish = 1;
   // A full pipe already contains a request.
   [[maybe_unused]] const auto written = ::write(write_end.load(), &wish, 1);
@@ -40,6 +49,7 @@ Termination::Termination(QObject* parent) : QObject(parent) {
     while (::read(read_end, &wish, 1) > 0) continue;
     emit requested();
   });
+  ::signal(SIGALRM, end_anyway);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     struct sigaction previous {};
     // What the parent has us ignore (nohup, a shell's background job) stays ignored.
@@ -53,6 +63,7 @@ Termination::Termination(QObject* parent) : QObject(parent) {
 
 Termination::~Termination() {
   if (!m_notifier) return;
+  ::alarm(0);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     struct sigaction ours {};
     if (::sigaction(signal, nullptr, &ours) == 0 && ours.sa_handler == pass_on) ::signal(signal, SIG_DFL);

@@ -1,5 +1,7 @@
 #include "core/motion/files/import_clip.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +26,8 @@ constexpr double smallest_adult_m = 1.0, tallest_adult_m = 2.3;  ///< standing h
 constexpr double usual_height_m = 1.7;
 constexpr double lowest_floor_m = -0.10, highest_floor_m = 0.20;  ///< toe-base heights that raise no question
 constexpr double toe_rest_height_m = 0.04;                        ///< of a standing foot in the CMU takes
+constexpr double slowest_fps = 0.1, fastest_fps = 10'000;
+constexpr double farthest_m = 1e6;
 constexpr double cmu_rate_fps = 120.0;  ///< CMU's published rate; AMC files do not state theirs
 constexpr double cmu_unit_m = (1.0 / 0.45) * 2.54 / 100.0;
 
@@ -223,7 +227,7 @@ void settle_unit(const NamedMotion& motion, const ImportOptions& options, std::v
         Hint::SetUnit);
 }
 
-void settle_rate(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
+Status settle_rate(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
   if (options.fps) {
     report.fps = *options.fps;
   } else if (motion.fps) {
@@ -237,6 +241,23 @@ void settle_rate(const NamedMotion& motion, const ImportOptions& options, Import
         report, "fps", "the file does not state its frame rate; 120 fps was guessed, set it if it is another",
         Hint::SetFrameRate);
   }
+  if (report.fps >= slowest_fps && report.fps <= fastest_fps) return Done{};
+  return Error{fmt::format("has {:.4g} frames per second; expected {} to {}, set the rate if that is wrong",
+                           report.fps, slowest_fps, fastest_fps),
+               motion.name, Hint::SetFrameRate};
+}
+
+/// A place so far away is no place of a person, and its square may be beyond all numbers.
+Status check_places(const std::vector<Pose>& poses, const std::string& name) {
+  for (std::size_t f = 0; f < poses.size(); ++f)
+    if ((poses[f].array().abs() > farthest_m).any())
+      return Error{
+          fmt::format(
+              "frame {} (counted from 0) has a joint more than {:.0f} km away; set the unit if that is "
+              "wrong, or leave the frame out",
+              f, farthest_m / 1000),
+          name, Hint::SetUnit};
+  return Done{};
 }
 
 void settle_floor(const ImportOptions& options, std::vector<Pose>& poses, ImportReport& report) {
@@ -322,7 +343,8 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   report.up_axis = settle_up_axis(motion, options, *poses, report);
   for (Pose& pose : *poses) turn_to_y_up(pose, report.up_axis);
   settle_unit(motion, options, *poses, report);
-  settle_rate(motion, options, report);
+  if (const Status placed = check_places(*poses, motion.name); !placed) return placed.error();
+  if (const Status rate = settle_rate(motion, options, report); !rate) return rate.error();
   settle_floor(options, *poses, report);
   look_for_rest_pose(*poses, report);
   look_for_a_person(*poses, report);

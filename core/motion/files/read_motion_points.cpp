@@ -1,7 +1,10 @@
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/acclaim/asf_amc.hpp"
 #include "core/motion/bvh/bvh.hpp"
@@ -127,11 +130,20 @@ Result<MotionFormat> format_of(const MotionFile& file) {
   return Error{"is not a motion file that can be read; expected one of " + known_formats(), file.where()};
 }
 
+/// A sparse .npy takes no room on the disk and all of it in memory.
+std::uintmax_t most_bytes_of(const std::string& file) {
+  if (std::error_code failure; !fs::is_regular_file(file, failure)) return limits::whole_file_bytes;
+  std::array<char, 6> head{};
+  std::ifstream(file, std::ios::binary).read(head.data(), head.size());
+  return std::string_view(head.data(), head.size()) == "\x93NUMPY" ? limits::npy_file_bytes
+                                                                   : limits::whole_file_bytes;
+}
+
 }  // namespace
 
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton,
                                                     const ImportOptions& options, const Progress& progress) {
-  const Result<std::string> content = read_whole_file(name);
+  const Result<std::string> content = read_whole_file(name, most_bytes_of(name));
   if (!content) return content.error();
   const MotionFile file{name, skeleton, *content, options, progress};
   const Result<MotionFormat> format = format_of(file);

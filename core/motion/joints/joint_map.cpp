@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/line_reader.hpp"
 
 namespace abrazo {
@@ -101,7 +101,7 @@ std::string joint_map_json(const JointMap& map) {
 
 Result<JointMap> parse_joint_map(std::string_view text, std::string_view where) {
   const std::string file(where);
-  if (nests_too_deep(text)) return Error{too_deep_words, file};
+  if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, file};
   OrderedJson json;
   try {
     json = OrderedJson::parse(text);

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/atomic_file.hpp"
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_map.hpp"
 
@@ -149,7 +149,7 @@ Result<JointOrder> parse_joint_order(std::string_view text, std::string_view whe
       R"(expected the joints' names in their order, one a line or as ["Hips", "Spine", ...])",
       std::string(where)};
   if (trimmed(text).starts_with('[')) {
-    if (nests_too_deep(text)) return Error{too_deep_words, std::string(where)};
+    if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, std::string(where)};
     const Json list = Json::parse(text, nullptr, false);
     if (!list.is_array()) return expected;
     for (const Json& name : list) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
 #include "core/motion/joints/marker_model.hpp"
 #include "core/motion/joints/marker_places.hpp"
@@ -57,7 +57,7 @@ std::string all_marker_places() {
 
 Result<MarkerModel> parse_marker_model(std::string_view text, std::string_view where) {
   const std::string file(where);
-  if (nests_too_deep(text)) return Error{too_deep_words, file};
+  if (const char* beyond = json_beyond_bounds(text)) return Error{beyond, file};
   const OrderedJson json = OrderedJson::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("markers") || !json["markers"].is_object())
     return Error{R"(expected {"name": "...", "markers": {"neck": "C7", "left shoulder": "LSHO", ...}})",
@@ -77,7 +77,7 @@ Result<MarkerModel> parse_marker_model(std::string_view text, std::string_view w
 }
 
 bool is_marker_model(std::string_view text) {
-  if (nests_too_deep(text)) return false;
+  if (json_beyond_bounds(text)) return false;
   const OrderedJson json = OrderedJson::parse(text, nullptr, false);
   return json.is_object() && json.contains("markers") && !json.contains("joints");
 }

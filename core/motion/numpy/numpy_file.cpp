@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/available_memory.hpp"
+#include "core/base/limits.hpp"
 #include "core/motion/joints/performers.hpp"
 
 namespace abrazo {
@@ -54,11 +55,21 @@ Result<std::string> NumpyFile::content_of(const StoredArray& array) const {
                      std::to_string(there - std::min<std::uint64_t>(there, array.layout.header_bytes)) +
                      " bytes of them; it is cut off, or its header is damaged",
                  place(array)};
+  const std::uint64_t most = array.layout.is_number() ? limits::numpy_numbers : limits::numpy_texts;
+  if (array.layout.count() > most)
+    return Error{"has the shape " + array.layout.shape_text() + ", " + std::to_string(array.layout.count()) +
+                     (array.layout.is_number() ? " numbers" : " texts") + "; up to " + std::to_string(most) +
+                     " are read. Write fewer frames at once",
+                 place(array)};
+  if (there > limits::npy_file_bytes)
+    return Error{"takes " + std::to_string(there >> 20U) + " MiB; arrays of up to " +
+                     std::to_string(limits::npy_file_bytes >> 20U) + " MiB are read",
+                 place(array)};
   // What is inflated, and the doubles that come of it.
-  const std::uint64_t free = available_memory_bytes();
-  if (there > free / 4)
-    return Error{"would take " + std::to_string(there >> 20U) + " MiB and as much again, and " +
-                     std::to_string(free >> 20U) + " MiB of memory are free; write fewer frames at once",
+  const std::uint64_t free = available_memory_bytes(), wanted = there + array.layout.count() * sizeof(double);
+  if (wanted > free / 2)
+    return Error{"would take " + std::to_string(wanted >> 20U) + " MiB, and " + std::to_string(free >> 20U) +
+                     " MiB of memory are free; write fewer frames at once",
                  place(array)};
   if (!array.entry) return std::string(bytes_);
   return archive_->content_of(*array.entry);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/limits.hpp"
 #include "core/base/little_endian.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/order_choice.hpp"
@@ -277,6 +278,14 @@ Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::o
   if (!unit) return unit.error();
   const auto up = up_axis_in(*file);
   if (!up) return up.error();
+  std::uint64_t numbers = 0;
+  for (const StoredArray* person : *persons)
+    numbers += std::min(person->layout.count(), limits::numpy_numbers + 1);
+  if (persons->size() > 1 && numbers > limits::numpy_numbers)
+    return Error{std::to_string(persons->size()) + " persons have more than " +
+                     std::to_string(limits::numpy_numbers) +
+                     " numbers together, which is as many as are read; write fewer frames at once",
+                 file->where()};
   std::vector<NamedMotion> motions;
   for (const StoredArray* person : *persons) {
     const auto names = names_for(*file, order, *person);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/base/limits.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_order.hpp"
 #include "core/motion/joints/performers.hpp"
@@ -74,9 +75,27 @@ struct RestBody {
   Positions joints;
 };
 
+/// The shapes of its arrays, before any of them is read: all of them follow from joints, vertices and shapes.
+Status check_extents(const NumpyFile& file) {
+  const auto bounded = [&](const char* name, std::size_t dimension, std::uint64_t most,
+                           const char* what) -> Status {
+    const StoredArray* array = file.find({name});
+    if (!array || array->layout.shape.size() <= dimension || array->layout.shape[dimension] <= most)
+      return Done{};
+    return Error{"has the shape " + array->layout.shape_text() + "; body models of up to " +
+                     std::to_string(most) + " " + what + " are read",
+                 file.place(*array)};
+  };
+  if (const Status joints = bounded("J_regressor", 0, smplx_joints, "joints"); !joints) return joints;
+  if (const Status vertices = bounded("J_regressor", 1, limits::body_vertices, "vertices"); !vertices)
+    return vertices;
+  return bounded("shapedirs", 2, limits::body_shapes, "shapes");
+}
+
 Result<RestBody> rest_body(const SmplBodyFile& source, const Numbers& betas) {
   const auto file = NumpyFile::open(source.bytes, source.where);
   if (!file) return file.error();
+  if (const Status extents = check_extents(*file); !extents) return extents.error();
   const auto regressor = array_of(*file, {"J_regressor"}, {0, 0}, "(joints, vertices)");
   if (!regressor) return regressor.error();
   const std::uint64_t joints = regressor->shape[0], vertices = regressor->shape[1];
@@ -97,8 +116,8 @@ Result<RestBody> rest_body(const SmplBodyFile& source, const Numbers& betas) {
   body.joints = Positions::Zero(static_cast<Eigen::Index>(joints), 3);
   for (std::uint64_t j = 0; j < joints; ++j) {
     const double parent = tree->values[j];
-    if (j > 0 && !(parent >= 0 && parent < static_cast<double>(j)))
-      return Error{"joint " + std::to_string(j) + " has a parent that does not come before it",
+    if (j > 0 && !(parent >= 0 && parent < static_cast<double>(j) && parent == std::floor(parent)))
+      return Error{"joint " + std::to_string(j) + " has a parent that is no joint before it",
                    source.where + ": kintree_table"};
     body.parents.push_back(j == 0 ? -1 : static_cast<int>(parent));
     for (std::uint64_t v = 0; v < vertices; ++v) {
@@ -158,6 +177,12 @@ Result<Numeric> poses_of(const NumpyFile& file, std::size_t joints) {
   put(*root, 0);
   auto body = array_of(file, {"pose_body", "body_pose"}, {frames, 0}, "(frames, 63)");
   if (!body) return body.error();
+  // SMPL itself counts the hands as two joints of the body.
+  if (const std::uint64_t width = body->shape[1]; width != 63 && !(width == 69 && joints == smpl_joints))
+    return Error{"has angles of " + std::to_string(width) +
+                     " columns; expected 63, three for each of 21 joints" +
+                     (joints == smpl_joints ? ", or 69 with those of the hands" : ""),
+                 file.place(*file.find({"pose_body", "body_pose"}))};
   put(*body, 1);
   const std::size_t hands = joints == smplx_joints ? 25 : body_joints;
   for (const auto& [first, name, other] : {std::tuple(hands, "pose_lhand", "left_hand_pose"),

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/limits.hpp"
 #include "core/base/little_endian.hpp"
 #include "core/base/text.hpp"
 
@@ -113,6 +114,10 @@ void put(std::string& to, std::uint64_t value, int bytes) {
 Result<ZipArchive> ZipArchive::open(std::string_view bytes, std::string_view where) {
   const auto contents = find_contents(bytes, where);
   if (!contents) return contents.error();
+  if (contents->entries > limits::archive_entries)
+    return Error{"has " + std::to_string(contents->entries) + " entries; archives of up to " +
+                     std::to_string(limits::archive_entries) + " are read",
+                 std::string(where)};
   ZipArchive archive;
   archive.bytes_ = bytes;
   archive.where_ = where;
@@ -144,6 +149,10 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes, std::string_view whe
                        "; only stored and deflated ones are read (np.savez, np.savez_compressed)",
                    std::string(where)};
     entry.deflated = method == Z_DEFLATED;
+    if (entry.deflated && entry.size / limits::deflate_ratio > entry.stored_size)
+      return damaged_archive(where, in_quotes(entry.name) + " announces " + std::to_string(entry.size) +
+                                        " bytes, more than its " + std::to_string(entry.stored_size) +
+                                        " stored bytes can give");
     if (!names.insert(entry.name).second)
       return damaged_archive(where, "holds " + in_quotes(entry.name) + " twice");
     archive.entries_.push_back(std::move(entry));

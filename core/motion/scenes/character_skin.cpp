@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/base/limits.hpp"
 #include "core/motion/scenes/glb_file.hpp"
 #include "core/motion/scenes/gltf_json.hpp"
 #include "core/motion/scenes/gltf_values.hpp"
@@ -47,6 +48,7 @@ class SkinReader {
   const HumanoidRig& rig_;
   CharacterSkin skin_;
   std::size_t values_read_ = 0;
+  std::size_t primitives_ = 0;
 };
 
 std::string SkinReader::read() {
@@ -89,6 +91,10 @@ std::string SkinReader::add_mesh(std::size_t node) {
   const Json& mesh = element(member(glb_.json, "meshes"), of_node["mesh"]);
   const Json& primitives = member(mesh, "primitives");
   if (!primitives.is_array()) return "its meshes are damaged";
+  primitives_ += primitives.size();  // nodes may share a mesh
+  if (primitives_ > limits::character_primitives)
+    return "its nodes show more than " + std::to_string(limits::character_primitives) +
+           " primitives; join those with the same material";
   const std::size_t first = skin_.carriers.size();
   const bool is_skinned = of_node.contains("skin");
   if (is_skinned) {

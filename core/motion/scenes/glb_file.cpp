@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/little_endian.hpp"
 
 namespace abrazo {
@@ -43,7 +43,7 @@ Result<GlbFile> parse_glb(std::string_view bytes, const std::string& where) {
     if (length > bytes.size() - at) return wrong;
     const std::string_view content = bytes.substr(at, length);
     if (kind == json_chunk && glb.json.is_null()) {
-      if (nests_too_deep(content)) return Error{too_deep_words, where};
+      if (const char* beyond = json_beyond_bounds(content)) return Error{beyond, where};
       glb.json = Json::parse(content, nullptr, false);
     } else if (kind == binary_chunk && glb.binary.empty()) {
       glb.binary = content;

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/base/json_nesting.hpp"
 #include "core/base/json_text.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/text.hpp"
 #include "core/synthesis/settings/settings_check.hpp"
 
@@ -481,7 +481,10 @@ std::string settings_json(const Settings& settings) {
 }
 
 Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where) {
-  if (nests_too_deep(json)) return Error{too_deep_words, std::string(where)};
+  if (json.size() > limits::settings_bytes)
+    return Error{"has " + std::to_string(json.size() >> 20U) + " MiB of settings; at most 1 MiB are read",
+                 std::string(where)};
+  if (const char* beyond = json_beyond_bounds(json)) return Error{beyond, std::string(where)};
   const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
   if (!parsed.is_object())
     return Error{"an object of settings is expected, as in {\"alpha\": 0.5}", std::string(where)};

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "core/base/limits.hpp"
+
 namespace abrazo::printable_test {
 namespace {
 
@@ -17,6 +21,13 @@ TEST(Printable, KnowsControlCharactersOfTwoBytes) {
   EXPECT_EQ(printable("\xC2\xA0\xC3\x9B \xE2\x80\x9B"), "\xC2\xA0\xC3\x9B \xE2\x80\x9B")
       << "letters and quotes";
   EXPECT_EQ(printable("\xC2"), "\xC2") << "cut off";
+}
+
+TEST(Printable, CutsALineThatIsLongerThanAnyOfOurOwnBetweenTwoCharacters) {
+  const std::string longest(limits::line_bytes, 'a');
+  EXPECT_EQ(printable_line(longest), longest);
+  EXPECT_EQ(printable_line(longest + "a"), longest + "... (8001 bytes)");
+  EXPECT_EQ(printable_line(longest.substr(1) + "\xC3\xA9"), longest.substr(1) + "... (8001 bytes)");
 }
 
 TEST(Printable, KeepsTheLinesOfATextAndPutsANameOnOne) {

@@ -1,12 +1,13 @@
 #include "core/base/utf8.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json_nesting.hpp"
+#include "core/base/limits.hpp"
 
 namespace abrazo::utf8_test {
 namespace {
@@ -35,10 +36,20 @@ TEST(Utf8, IsWhatJsonTakesForText) {
   }
 }
 
-TEST(JsonNesting, IsBoundedBeforeAnythingIsParsed) {
-  EXPECT_FALSE(nests_too_deep(std::string(100, '[') + std::string(100, ']')));
-  EXPECT_TRUE(nests_too_deep(std::string(101, '[')));
-  EXPECT_FALSE(nests_too_deep("\"" + std::string(101, '[') + "\""));
+TEST(JsonBounds, AreKeptBeforeAnythingIsParsed) {
+  const auto said = [](const std::string& json) {
+    const char* why = json_beyond_bounds(json);
+    return std::string(why ? why : "");
+  };
+  EXPECT_EQ(said(std::string(limits::json_depth, '[') + std::string(limits::json_depth, ']')), "");
+  EXPECT_THAT(said(std::string(limits::json_depth + 1, '[')), testing::HasSubstr("100 deep"));
+  EXPECT_EQ(said("\"" + std::string(101, '[') + "\""), "");
+  EXPECT_THAT(said("\"a\\\"\"" + std::string(101, '[')), testing::HasSubstr("100 deep"));
+  // One in the brackets, one behind each comma.
+  EXPECT_EQ(said("[" + std::string(limits::json_values - 1, ',') + "]"), "");
+  EXPECT_THAT(said("[" + std::string(limits::json_values, ',') + "]"),
+              testing::HasSubstr("6 million values"));
+  EXPECT_EQ(said("\"" + std::string(limits::json_values + 1, ',') + "\""), "");
 }
 
 }  // namespace

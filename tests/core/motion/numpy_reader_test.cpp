@@ -2,12 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
 
+#include "core/base/atomic_file.hpp"
+#include "core/base/limits.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/files/format_recognition.hpp"
 #include "core/motion/files/import_clip.hpp"
@@ -184,6 +187,42 @@ TEST(NumpyReader, MakesNoRoomForWhatIsOnlyAnnounced) {
   EXPECT_THAT(refusal(bomb), HasSubstr("cut off"));
   bomb.replace(contents + 24, 4, "\xff\xff\xff\xff");
   EXPECT_THAT(refusal(bomb), HasSubstr("cut off")) << "4 GiB are less as well";
+}
+
+// A small file of zeros is a large one of doubles.
+TEST(NumpyReader, MoreNumbersThanAreReadAreRefusedBeforeAnyIs) {
+  const std::uint64_t frames = limits::numpy_numbers / 75;
+  const auto zeros = [](std::uint64_t count) {
+    const std::string file = NpyBytes{"|i1", false, {count, 25, 3}}.of({});
+    return archive({{"positions.npy", file + std::string(count * 75, '\0')}});
+  };
+  EXPECT_THAT(
+      refusal(zeros(frames + 1)),
+      HasSubstr("positions: has the shape (894785, 25, 3), 67108875 numbers; up to 67108864 are read"));
+  const std::string half =
+      NpyBytes{"|i1", false, {frames / 2 + 1, 25, 3}}.of({}) + std::string((frames / 2 + 1) * 75, '\0');
+  EXPECT_THAT(refusal(archive({{"person1.npy", half}, {"person2.npy", half}})),
+              HasSubstr("2 persons have more than 67108864 numbers together"));
+}
+
+// It takes no room on the disk, and all of it in memory.
+TEST(NumpyReader, ASparseFileIsRefusedBeforeItIsRead) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("abrazo_sparse_" + std::to_string(::getpid()) + ".npy");
+  ASSERT_TRUE(write_whole_file(file, NpyBytes{"<f8", false, {1'000'000, 25, 3}}.of({})));
+  std::filesystem::resize_file(file, limits::npy_file_bytes + 1);
+  const auto motions = load_motion(file.string(), "", {});
+  std::filesystem::remove(file);
+  ASSERT_FALSE(motions);
+  EXPECT_THAT(motions.error().text(), HasSubstr("is 512 MB large; files of this kind are read up to 512 MB"));
+}
+
+TEST(NumpyReader, AnArchiveOfThousandsOfEntriesIsRefused) {
+  std::vector<ZipContent> files;
+  for (std::uint64_t i = 0; i <= limits::archive_entries; ++i)
+    files.push_back({"a" + std::to_string(i) + ".npy", ""});
+  EXPECT_THAT(refusal(write_zip(files).value()),
+              HasSubstr("has 4097 entries; archives of up to 4096 are read"));
 }
 
 TEST(NumpyReader, NoCutOrChangedByteIsReadAsSomethingElse) {

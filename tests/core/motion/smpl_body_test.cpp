@@ -104,7 +104,10 @@ TEST(SmplBody, SaysWhichArrayOfTheBodyModelIsWrong) {
               HasSubstr("v_template: has the shape (8, 3); expected (24, 3)"));
   std::vector<double> round(2 * chain_joints, 5);
   EXPECT_THAT(refusal(motion, with(chain_model(), "kintree_table", numbers({2, chain_joints}, round))),
-              HasSubstr("kintree_table: joint 1 has a parent that does not come before it"));
+              HasSubstr("kintree_table: joint 1 has a parent that is no joint before it"));
+  round.assign(2 * chain_joints, 0.5);
+  EXPECT_THAT(refusal(motion, with(chain_model(), "kintree_table", numbers({2, chain_joints}, round))),
+              HasSubstr("kintree_table: joint 1 has a parent that is no joint before it"));
   std::vector<double> nowhere(3 * chain_joints, std::nan(""));
   EXPECT_THAT(refusal(motion, with(chain_model(), "v_template", numbers({chain_joints, 3}, nowhere))),
               HasSubstr("has places of joints that are no numbers"));
@@ -119,6 +122,34 @@ TEST(SmplBody, SaysWhatOfTheMotionDoesNotFit) {
   EXPECT_THAT(refusal(with(bent_motion(), "betas", numbers({3}, {0, 0, 0})), model),
               HasSubstr("has 1 shapes, and the motion 3 betas"));
   EXPECT_THAT(refusal(npz(chain_model()), model), HasSubstr("holds no parameters of an SMPL body"));
+}
+
+TEST(SmplBody, OfMoreThanAnyBodyModelHasIsRefusedBeforeAnythingIsComputed) {
+  const std::string motion = npz(bent_motion());
+  const auto zeros = [](std::vector<std::uint64_t> shape) {
+    std::uint64_t count = 1;
+    for (const std::uint64_t extent : shape) count *= extent;
+    return NpyBytes{"|i1", false, shape}.of(std::vector<double>(count));
+  };
+  EXPECT_THAT(refusal(motion, with(chain_model(), "J_regressor", zeros({56, 24}))),
+              HasSubstr("J_regressor: has the shape (56, 24); body models of up to 55 joints are read"));
+  EXPECT_THAT(refusal(motion, with(chain_model(), "J_regressor", zeros({24, 20'001}))),
+              HasSubstr("up to 20000 vertices"));
+  EXPECT_THAT(refusal(motion, with(chain_model(), "shapedirs", zeros({24, 3, 1'001}))),
+              HasSubstr("up to 1000 shapes"));
+  EXPECT_EQ(refusal(motion, with(chain_model(), "shapedirs", zeros({24, 3, 1'000}))), "was read");
+}
+
+TEST(SmplBody, AnglesOfAnotherNumberOfJointsAreRefused) {
+  const auto parts = [](std::uint64_t width) {
+    return npz({{"root_orient", numbers({1, 3}, {0, 0, 0})},
+                {"pose_body", numbers({1, width}, std::vector<double>(width))},
+                {"trans", numbers({1, 3}, {1, 2, 3})}});
+  };
+  const std::string model = npz(chain_model());
+  EXPECT_EQ(refusal(parts(63), model), "was read");
+  EXPECT_EQ(refusal(parts(69), model), "was read");
+  EXPECT_THAT(refusal(parts(60), model), HasSubstr("pose_body: has angles of 60 columns; expected 63"));
 }
 
 }  // namespace

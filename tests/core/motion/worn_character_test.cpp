@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/limits.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/scenes/glb_file.hpp"
 #include "core/motion/scenes/read_worn_character.hpp"
@@ -137,6 +138,25 @@ TEST_F(WornCharacters, WhatCannotBeShownIsRefusedByName) {
               HasSubstr("it needs triangles"));
   EXPECT_THAT(trouble([](Json& json) { json["skins"][0]["joints"][3] = 9999; }),
               HasSubstr("skin is damaged"));
+}
+
+TEST_F(WornCharacters, NodesThatShowOneMeshAgainAndAgainAreRefusedBeforeTheyTakeTheDay) {
+  const auto shown = [&](std::size_t primitives) {
+    return trouble([&](Json& json) {
+      // Of a material that cannot be seen, so that nothing of it is counted as points.
+      Json hidden = json["meshes"][0]["primitives"][0];
+      hidden["material"] = json["materials"].size();
+      json["materials"].push_back(
+          {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0}}}}});
+      json["meshes"].push_back({{"primitives", Json::array()}});
+      for (std::size_t i = 0; i < 100; ++i) json["meshes"].back()["primitives"].push_back(hidden);
+      for (std::size_t i = 0; i < primitives / 100; ++i)
+        json["nodes"].push_back(
+            {{"mesh", json["meshes"].size() - 1}, {"name", "again " + std::to_string(i)}});
+    });
+  };
+  EXPECT_THAT(shown(limits::character_primitives - 100), testing::Not(HasSubstr("primitives")));
+  EXPECT_THAT(shown(limits::character_primitives), HasSubstr("its nodes show more than 10000 primitives"));
 }
 
 TEST_F(WornCharacters, AccessorsThatLeaveTheirBufferAreRefused) {
