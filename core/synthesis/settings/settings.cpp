@@ -482,7 +482,8 @@ std::string settings_json(const Settings& settings) {
 
 Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where) {
   if (json.size() > limits::settings_bytes)
-    return Error{"has " + std::to_string(json.size() >> 20U) + " MiB of settings; at most 1 MiB are read",
+    return Error{"has " + std::to_string(json.size()) + " bytes of settings; up to " +
+                     std::to_string(limits::settings_bytes) + " are read",
                  std::string(where)};
   if (const char* beyond = json_beyond_bounds(json)) return Error{beyond, std::string(where)};
   const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);

@@ -205,6 +205,32 @@ TEST(NumpyReader, MoreNumbersThanAreReadAreRefusedBeforeAnyIs) {
               HasSubstr("2 persons have more than 67108864 numbers together"));
 }
 
+TEST(NumpyReader, MoreNamesThanAreReadAreRefused) {
+  const auto named = [](std::uint64_t count) {
+    return write_zip(std::vector<ZipContent>{
+                         {"positions.npy",
+                          NpyBytes{"|i1", false, {1, count, 3}}.of(std::vector<double>(3 * count))},
+                         {"joint_names.npy", npy_of_texts(std::vector<std::string>(count, "j"), {count})}})
+        .value();
+  };
+  EXPECT_EQ(refusal(named(limits::numpy_texts)), "was read");
+  EXPECT_THAT(refusal(named(limits::numpy_texts + 1)), HasSubstr("10001 texts; up to 10000 are read"));
+}
+
+TEST(NumpyReader, AnEntryThatAnnouncesMoreThanItsBytesCanGiveIsDamaged) {
+  const std::string file = NpyBytes{"<f8", false, {1, 25, 3}}.of(std::vector<double>(75, 0.5));
+  std::string archive = deflated_archive("positions.npy", file);
+  const std::size_t size_at = archive.rfind("PK\x01\x02") + 24;
+  const auto announces = [&](std::uint64_t bytes) {
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      archive[size_at + byte] = static_cast<char>(bytes >> 8 * byte & 0xff);
+    return refusal(archive);
+  };
+  const std::uint64_t stored = file.size() + 5;  // a block's own bytes
+  EXPECT_THAT(announces((stored + 1) * limits::deflate_ratio), HasSubstr("more than its"));
+  EXPECT_THAT(announces((stored + 1) * limits::deflate_ratio - 1), testing::Not(HasSubstr("more than its")));
+}
+
 // It takes no room on the disk, and all of it in memory.
 TEST(NumpyReader, ASparseFileIsRefusedBeforeItIsRead) {
   const std::filesystem::path file =

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "core/base/limits.hpp"
 #include "core/synthesis/settings/settings_check.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -58,6 +59,15 @@ TEST(Settings, EverySettingRoundTripsThroughItsText) {
     }
     EXPECT_EQ(copy, original);
   }
+}
+
+TEST(Settings, MoreJsonThanSettingsCanHaveIsRefusedUnread) {
+  const std::string room(limits::settings_bytes - 2, ' ');
+  EXPECT_TRUE(parse_settings("{" + room + "}", Settings{}, "x.json"));
+  const auto refused = parse_settings("{ " + room + "}", Settings{}, "x.json");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text(),
+              testing::HasSubstr("x.json: has 1048577 bytes of settings; up to 1048576 are read"));
 }
 
 TEST(Settings, JsonRoundTrips) {
