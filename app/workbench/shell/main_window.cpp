@@ -88,6 +88,11 @@ MainWindow::MainWindow(UserSettings& remembered)
 MainWindow::~MainWindow() {
   m_job.reset();
   endSession();
+  // Whoever follows the focus is whole as long as it moves; a visible dialog would move it while they are
+  // destroyed.
+  for (QWidget* each : findChildren<QWidget*>())
+    if (each->isWindow()) each->hide();
+  hide();
 }
 
 QWidget* MainWindow::makeCentre() {

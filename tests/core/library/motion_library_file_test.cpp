@@ -294,7 +294,9 @@ TEST_F(MotionLibraryFile, RefusesSizesThatAFileOnlyClaimsBeforeAllocating) {
   constexpr std::uint64_t claimed = std::uint64_t{1} << 40;
   EXPECT_GT(replace_numbers(rows, claimed), 0) << "the shape";
   EXPECT_GT(replace_numbers(2 * rows, 2 * claimed), 0) << "the length";
-  expect_refused("meshes/edges claims 2199023255552 bytes but the file has ");
+  // HDF5 1.14 itself does not open such a table.
+  expect_refused(H5_VERSION_GE(1, 14, 0) ? "meshes/edges is missing or damaged"
+                                         : "meshes/edges claims 2199023255552 bytes but the file has ");
 }
 
 TEST_F(MotionLibraryFile, RefusesAPipeInsteadOfWaitingForItsWriter) {
