@@ -32,6 +32,10 @@ class ContentHash {
     value_ ^= value_ >> 32;
   }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(std::string_view text) {
+    add(std::uint64_t{text.size()});
+    for (const char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
+  }
   /// 16 hexadecimal digits.
   std::string text() const {
     static constexpr char digits[] = "0123456789abcdef";

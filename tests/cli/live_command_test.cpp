@@ -224,6 +224,13 @@ TEST_F(LiveCommand, WithoutAPacketItFailsAndSaysWhatToLookAt) {
   EXPECT_THAT(outcome.err, HasSubstr("no packet"));
 }
 
+TEST_F(LiveCommand, WhenEveryFrameFailsItFailsAndSaysWhy) {
+  const Outcome outcome =
+      run("live --library demo.h5 --seconds 1 --metres-per-unit 0.01 --listen clip:demo/salsa_01_a.bvh");
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("clip:demo/salsa_01_a.bvh: held: not a person: all bones together are"));
+}
+
 TEST_F(LiveCommand, APortThatSomebodyHasIsNamed) {
   expect_failure(run("live --library demo.h5 --listen " + uri_of("vmc", partner.port())),
                  "127.0.0.1:" + std::to_string(partner.port()));

@@ -345,7 +345,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
 }  // namespace abrazo::app
 
 int main(int argc, char** argv) {
-  widgets::use_small_pixels();
+  abrazo::widgets::use_small_pixels();
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   const QStringList words = QApplication::arguments();

@@ -121,8 +121,7 @@ QWidget* SinkList::makeForm() {
       *m_framing, "Framing",
       "VMC: a frame is one bundle, its root has the place and heading of the character. T first: as SlimeVR "
       "sends. Several bundles: for networks that lose packets above 1500 bytes. Root at origin: for "
-      "receivers that "
-      "take the place from the hips");
+      "receivers that take the place from the hips");
   auto* add = new QPushButton("Send", form);
   add->setFixedWidth(104);
   grid->addWidget(m_character, 0, 0);

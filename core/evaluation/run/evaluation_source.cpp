@@ -13,13 +13,8 @@ namespace abrazo {
 
 namespace {
 
-void add_text(ContentHash& hash, std::string_view text) {
-  hash.add(std::uint64_t{text.size()});
-  for (const char c : text) hash.add(std::uint64_t{static_cast<unsigned char>(c)});
-}
-
 void add_take(ContentHash& hash, const PairedTake& take) {
-  add_text(hash, take.name);
+  hash.add(std::string_view(take.name));
   hash.add(take.fps);
   for (const Clip* clip : {&take.a, &take.b})
     for (const Pose& pose : clip->poses)
@@ -29,7 +24,7 @@ void add_take(ContentHash& hash, const PairedTake& take) {
       hash.add(static_cast<std::uint64_t>(word));
   for (const LabelInterval& label : take.labels) {
     for (const int word : {label.start, label.end}) hash.add(static_cast<std::uint64_t>(word));
-    add_text(hash, label.label);
+    hash.add(std::string_view(label.label));
   }
 }
 

@@ -58,12 +58,11 @@ bool has_decimal_comma(std::string_view field) {
 /// As the file says it ("sep=;", of Excel), else the one of which the first line has most outside quotes.
 void CsvReader::find_separator() {
   const std::string_view rest = text_.substr(at_);
-  if (constexpr std::string_view said = "sep="; rest.size() > said.size() && rest.starts_with(said)) {
+  constexpr std::string_view said = "sep=";
+  if (rest.starts_with(said) && rest.find_first_of("\r\n") == said.size() + 1) {
     separator_ = rest[said.size()];
     at_ += said.size() + 1;
-    if (at_line_end()) return skip_line_end();
-    at_ -= said.size() + 1;
-    separator_ = ',';
+    return skip_line_end();
   }
   const std::size_t first = rest.find_first_not_of("\r\n");
   if (first == std::string_view::npos) return;
@@ -115,7 +114,7 @@ Status CsvReader::read_field(CsvRow& row) {
     return error(line_,
                  fmt::format("{} follows the quotes of a field; put a separator between", in_quotes(rest)));
   if (!quoted) field = rest;
-  if (separator_ == ';' && has_decimal_comma(field)) field.replace(field.find(','), 1, ".");
+  if (!quoted && separator_ == ';' && has_decimal_comma(field)) field.replace(field.find(','), 1, ".");
   if (field.starts_with('\'') && begins_like_a_formula(field)) field.erase(0, 1);
   if (row.fields.size() == most_fields)
     return error(line_, fmt::format("has more than {} fields; is it a table of labels?", most_fields));

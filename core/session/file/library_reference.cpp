@@ -15,11 +15,6 @@ namespace {
 /// A library has some hundred megabytes, and is summed up while a session runs.
 class Fingerprint : public ContentHash {
  public:
-  using ContentHash::add;
-  void add(std::string_view text) {
-    add(static_cast<std::uint64_t>(text.size()));
-    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-  }
   template <typename Derived>
   void add_matrix(const Eigen::MatrixBase<Derived>& matrix) {
     for (Eigen::Index r = 0; r < matrix.rows(); ++r)

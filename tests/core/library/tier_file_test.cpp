@@ -80,6 +80,9 @@ TEST(TierCsv, TablesOfOtherProgramsAreReadByTheirSeparator) {
   ASSERT_TRUE(document) << document.error().text();
   EXPECT_EQ(document->tiers.front().intervals.front().start_s, 0.5);
   EXPECT_EQ(document->tiers.front().intervals.front().end_s, 1.25);
+  EXPECT_EQ(parse_csv("a;\"1,5\";1,5\n", "x.csv")->front().fields,
+            (std::vector<std::string>{"a", "1,5", "1.5"}))
+      << "what stands in quotes is a text";
 }
 
 // As a spreadsheet would run it.
