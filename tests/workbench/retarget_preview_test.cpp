@@ -32,6 +32,11 @@ class RetargetPreviewOfWindow : public RetargetWindow {
   static bool complete() {
     return until([] { return !computing().isComputing() && computing().shown().recorded; });
   }
+  /// A movement of the camera ends with the first picture after its fifth of a second.
+  static void cameraComesToRest() {
+    QTest::qWait(250);
+    (void)preview().scene().picture();
+  }
   static widgets::ValueSlider& slider(const QString& body) {
     return named<widgets::ValueSlider>(body + ": size");
   }
@@ -138,7 +143,7 @@ TEST_F(RetargetPreviewOfWindow, ATallerBodyStaysInThePicture) {
   (void)shownAt(60);
   const auto distance_m = [] { return preview().scene().camera().distance_m; };
   preview().scene().frameAll();
-  QTest::qWait(500);  // the camera moves there
+  cameraComesToRest();
   const double before_m = distance_m();
   body("Leader's body").setEditText("scale:1.50");
   EXPECT_TRUE(until([&] { return distance_m() > 1.2 * before_m; }));
@@ -164,6 +169,7 @@ TEST_F(RetargetPreviewOfWindow, ThePicturesOfAAndBDiffer) {
   ASSERT_TRUE(complete());
   (void)shownAt(60);
   preview().scene().setFollowing(false);  // the camera would still come nearer
+  cameraComesToRest();                    // it went back for the taller leader
   const auto picture = [](RetargetPreview::Side side) {
     preview().setSide(side);
     (void)shownAt(60);

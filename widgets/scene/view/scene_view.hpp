@@ -99,8 +99,8 @@ class SceneView : public QWidget {
   void moveCut(double by_m, double turn_rad, double tilt_rad);
 
   void frameAll();
-  /// Distance of the camera over the one from which bodies with these joints fit into the picture, clear of
-  /// the controls over it: 1 right after frameAll().
+  /// Distance of the camera, or of where it is moving to, over the one from which bodies with these joints
+  /// fit into the picture, clear of the controls over it: 1 right after frameAll().
   double roomFor(const PairPose& pair) const;
   /// Fits the selection into the picture; everything without a selection.
   void frameSelection();

@@ -69,7 +69,7 @@ void SceneView::frameAll() {
 }
 
 double SceneView::roomFor(const PairPose& pair) const {
-  const OrbitCamera& camera = m_parts->camera;
+  const OrbitCamera& camera = m_parts->move ? m_parts->move->to : m_parts->camera;
   return camera.distance_m / camera.distance_for(pair, m_parts->shape());
 }
 
