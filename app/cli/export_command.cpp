@@ -123,8 +123,7 @@ void add_options(CLI::App& command, ExportWords& words) {
           .add_option(
               "-o,--output", wish.output,
               "bodies: .bvh, .glb, .csv, .npz or .npy; mesh: .vtu or .pvd; labels: .eaf, .csv, .json, "
-              ".vtt or .srt; "
-              "trace: .jsonl")
+              ".TextGrid or .txt; trace: .jsonl")
           ->required()
           ->type_name("FILE");
   add_character_option(command, wish.character, output, "OUT_user, OUT_active and OUT_passive");

@@ -145,7 +145,7 @@ Status run_convert(CommandLine& line, const LabelWords& words) {
 /// Words for all tiers of moves: one a line, or the vocabularies of a label file.
 Status set_vocabulary(const LabelWords& words, std::vector<Tier>& tiers) {
   std::vector<Tier> known;
-  if (is_written_tier_file(words.vocabulary)) {  // a .txt is a plain list
+  if (is_tier_file(words.vocabulary) && !words.vocabulary.ends_with(".txt")) {  // which is a plain list
     auto document = read_tiers(words.vocabulary, words.reading);
     if (!document) return document.error();
     known = std::move(document->tiers);
@@ -215,7 +215,7 @@ Status run_check(CommandLine& line, const LabelWords& words) {
 // ---- words ----
 
 void add_file(CLI::App& command, LabelWords& words) {
-  command.add_option("FILE", words.file, "labels: .eaf, .csv, .json, .vtt or .srt")
+  command.add_option("FILE", words.file, "labels: .eaf, .csv, .json, .TextGrid, or .txt of ELAN or Audacity")
       ->required()
       ->type_name("");
   command.add_option("--fps", words.reading.fps, "frame rate of the labelled motion")
@@ -242,8 +242,9 @@ void add_json(CLI::App& command, LabelWords& words) {
 
 void add_convert(CLI::App& command, LabelWords& words) {
   command
-      .add_option("-o,--output", words.output,
-                  ".eaf, .json, .vtt, .srt or .csv (in frames of --take at --fps, else in seconds)")
+      .add_option(
+          "-o,--output", words.output,
+          ".eaf, .json, .TextGrid, .txt (Audacity) or .csv (in frames of --take at --fps, else in seconds)")
       ->required()
       ->type_name("FILE");
   command.add_option("--tier", words.tiers, "only this tier; may be given several times")

@@ -72,6 +72,7 @@ Json performer_json(const PerformerHealth& performer) {
           {"held_joints", performer.held_joints},
           {"interruptions", performer.interruptions},
           {"clock_jumps", performer.clock_jumps},
+          {"clock", performer.uses_sender_time ? "sender" : "arrival"},
           {"restarts", performer.restarts},
           {"unusable", performer.unusable},
           {"dropped", performer.dropped},

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -84,8 +85,9 @@ Status write_tier_file(CommandLine& line, const SuggestArguments& arguments, con
 
 Status propose(CommandLine& line, const SuggestArguments& arguments) {
   if (!arguments.output.empty()) {
-    if (!is_written_tier_file(arguments.output))
-      return Error{"is none of the label formats .eaf, .csv, .json, .vtt, .srt", arguments.output};
+    if (!is_tier_file(arguments.output))
+      return Error{fmt::format("is none of the label formats {}", fmt::join(tier_file_extensions(), ", ")),
+                   arguments.output};
     if (const Status usable = check_output(arguments.output, {arguments.source}); !usable) return usable;
   }
   const Progress progress = terminal_progress(line);
@@ -151,9 +153,10 @@ void add_suggest_command(CommandLine& line) {
       command->add_option("--take", arguments->take, "the take to label; its own labels are ignored")
           ->type_name("TAKE");
   command
-      ->add_option("-o,--output", arguments->output,
-                   "label file of the suggestions (.eaf, .csv, .json, .vtt, .srt): detail has the reason, "
-                   "confidence the share of such suggestions that were right")
+      ->add_option(
+          "-o,--output", arguments->output,
+          "label file of the suggestions (.eaf, .csv, .json, .TextGrid, .txt): detail has the reason, "
+          "confidence the share of such suggestions that were right")
       ->type_name("OUT")
       ->needs(take);
   CLI::Option* agreement =

@@ -10,46 +10,13 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/video/mp4_index.hpp"
+
 namespace abrazo {
 namespace {
 
-constexpr std::uint64_t most_boxes = 4096;          // at the top of an MP4; a real one has a handful
-constexpr std::uint64_t most_searched = 16u << 20;  // bytes of its index that are looked through
-
-std::string bytes_at(std::ifstream& stream, std::uint64_t at, std::uint64_t count) {
-  std::string bytes(count, '\0');
-  stream.clear();
-  stream.seekg(static_cast<std::streamoff>(at));
-  stream.read(bytes.data(), static_cast<std::streamsize>(count));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return bytes;
-}
-
-std::uint64_t big_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (const char c : bytes) value = value << 8 | static_cast<std::uint8_t>(c);
-  return value;
-}
-
-/// The index of an MP4 or QuickTime file; empty if there is none.
-std::string index_of(std::ifstream& stream, std::uint64_t size) {
-  std::uint64_t at = 0;
-  for (std::uint64_t box = 0; box < most_boxes && at + 8 <= size; ++box) {
-    const std::string head = bytes_at(stream, at, 16);
-    if (head.size() < 8) break;
-    std::uint64_t length = big_endian(std::string_view(head).substr(0, 4));
-    if (length == 1 && head.size() == 16) length = big_endian(std::string_view(head).substr(8));
-    if (length == 0) length = size - at;
-    if (head.substr(4, 4) == "moov" || head.substr(4, 4) == "moof")
-      return bytes_at(stream, at, std::min(length, most_searched));
-    if (length < 8 || length > size - at) break;
-    at += length;
-  }
-  return {};
-}
-
 std::string why_no_mp4(std::ifstream& stream, std::uint64_t size) {
-  const std::string index = index_of(stream, size);
+  const std::string index = mp4_index(stream, size);
   if (index.empty())
     return "is an MP4 without its index (\"moov\"): it was cut off before it was finished; record or copy it "
            "again, or have it repaired by a program like untrunc";

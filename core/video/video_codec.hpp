@@ -41,7 +41,10 @@ class PictureStream {
   virtual std::array<int, 2> promised_size() const = 0;
   virtual double nominal_hz() const = 0;
   virtual int promised() const = 0;
+  /// Clockwise turn of the pictures, by the file's header unless `turn` was called.
   virtual int rotation_deg() const = 0;
+  /// Mirrors the pictures left to right if wanted, then turns them clockwise, in place of the header's turn.
+  virtual void turn(int degrees, bool mirrors) = 0;
   virtual std::string codec() const = 0;
   /// Width of a pixel divided by its height.
   virtual double pixel_aspect() const = 0;

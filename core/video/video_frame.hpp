@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-/// A decoded picture of a video, upright (the file's rotation is applied).
+/// A decoded picture of a video, upright (the file's rotation is applied, and its mirroring).
 struct VideoFrame {
   int index = 0;      ///< from 0, in order of presentation
   double time_s = 0;  ///< presentation time in the file; the first picture's is 0
@@ -21,6 +21,7 @@ struct VideoFacts {
   std::string file;
   int width = 0, height = 0;          ///< upright
   int rotation_deg = 0;               ///< applied rotation: 0, 90, 180, 270
+  bool is_mirrored = false;           ///< left to right, before the rotation
   std::string codec;                  ///< "h264"
   std::vector<double> times_s;        ///< of every picture, ascending
   double rate_hz = 0;                 ///< of most pictures

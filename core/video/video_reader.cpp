@@ -9,6 +9,7 @@
 #include "core/base/limits.hpp"
 #include "core/video/file_kind.hpp"
 #include "core/video/frame_cache.hpp"
+#include "core/video/mp4_index.hpp"
 #include "core/video/picture_times.hpp"
 #include "core/video/video_codec.hpp"
 
@@ -101,6 +102,15 @@ Result<VideoReader> VideoReader::open(const std::filesystem::path& file, const P
   if (const Status fitting = fits(width, height, state->facts.file); !fitting)
     return fitting.error();  // before decoding
   state->facts.codec = state->stream->codec();
+  if (const auto told = mp4_orientation(file)) {
+    state->stream->turn(told->turn_deg, told->is_mirrored);
+    state->facts.is_mirrored = told->is_mirrored;
+    if (std::abs(told->told_deg - told->turn_deg) > 1)
+      state->facts.warnings.push_back(
+          fmt::format("its header turns the pictures by {:.0f} degrees; only quarter turns are applied, and "
+                      "they are shown as coded",
+                      told->told_deg));
+  }
   state->facts.rotation_deg = state->stream->rotation_deg();
   if (const double aspect = state->stream->pixel_aspect(); std::abs(aspect - 1) > 1e-3)
     state->facts.warnings.push_back(

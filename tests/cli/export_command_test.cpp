@@ -231,7 +231,7 @@ TEST_F(ExportCommand, LabelsAsEafJsonAndCsv) {
 TEST_F(ExportCommand, WhatDoesNotFitIsRefusedWithWhatDoes) {
   expect_failure(exported("--what mesh -o m.bvh"),
                  "m.bvh: meshes cannot be written as this file type; use .vtu or .pvd");
-  expect_failure(exported("--what labels -o l.bvh"), "use .eaf, .csv, .json, .vtt or .srt");
+  expect_failure(exported("--what labels -o l.bvh"), "use .eaf, .csv, .json, .TextGrid or .txt");
   expect_failure(exported("--what trace -o t.csv"), "use .jsonl");
   expect_failure(exported("--what active -o a.vtu"), "use .bvh, .glb, .csv, .npz or .npy");
   expect_failure(exported("--what active,mesh -o a.bvh"), "mesh needs one of its own");

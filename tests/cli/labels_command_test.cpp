@@ -36,12 +36,12 @@ TEST_F(LabelsCommand, NamesInALabelFileNeitherSteerATerminalNorPassForLinesOfThe
   write("moves.json", nlohmann::json{{"tiers", {moves}}}.dump());
   expect_harmless(run("labels info moves.json").out);
   expect_harmless(run("labels check moves.json").out);
-  expect_harmless(run("labels convert moves.json -o x.srt --tier other").err);
+  expect_harmless(run("labels convert moves.json -o x.txt --tier other").err);
 }
 
 TEST_F(LabelsCommand, ConvertComesBackToTheSameLabelFile) {
-  for (const char* format : {"x.eaf", "x.json", "x.vtt", "x.srt", "x.csv"}) {
-    const bool keeps_remarks = std::string(format) != "x.vtt" && std::string(format) != "x.srt";
+  for (const char* format : {"x.eaf", "x.json", "x.TextGrid", "x.csv"}) {
+    const bool keeps_remarks = std::string(format) != "x.TextGrid";
     const Outcome there =
         run(std::string("labels convert moves.csv -o ") + format + " --take one --fps 60 --seconds");
     EXPECT_EQ(there.status, 0) << there.err;
@@ -57,9 +57,9 @@ TEST_F(LabelsCommand, ConvertComesBackToTheSameLabelFile) {
 }
 
 TEST_F(LabelsCommand, ConvertSaysWhatIsLeftOut) {
-  const Outcome outcome = run("labels convert moves.csv -o x.srt --take one --fps 60");
+  const Outcome outcome = run("labels convert moves.csv -o x.txt --take one --fps 60");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("detail and confidence of 1 interval was left out"));
+  EXPECT_THAT(outcome.err, HasSubstr("detail and confidence of 1 interval were left out"));
   EXPECT_THAT(outcome.out, IsEmpty());
 }
 
@@ -79,7 +79,7 @@ TEST_F(LabelsCommand, CheckListsProblemsWithStatus1) {
 TEST_F(LabelsCommand, WhatCannotBeDoneIsSaid) {
   expect_failure(run("labels info moves.csv --fps 60"), "has labels of 2 takes: one, two");
   expect_failure(run("labels info moves.csv --take one"), "counts frames; give their rate (--fps)");
-  expect_failure(run("labels convert gaps.csv -o x.doc"), ".eaf, .csv, .json, .vtt, .srt");
+  expect_failure(run("labels convert gaps.csv -o x.doc"), ".eaf, .csv, .json, .TextGrid, .txt");
   expect_failure(run("labels convert gaps.csv -o gaps.csv"), "gaps.csv");
   expect_failure(run("labels convert gaps.csv -o x.json --tier note"),
                  "has no tier 'note'; it has move, role");

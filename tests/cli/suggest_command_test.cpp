@@ -49,8 +49,8 @@ TEST_F(SuggestCommand, NamesTheTakesThereAre) {
 }
 
 TEST_F(SuggestCommand, WritesNoOtherFormats) {
-  expect_failure(run("suggest demo.h5 --take salsa_01 -o s.txt"),
-                 "s.txt: is none of the label formats .eaf, .csv, .json, .vtt, .srt");
+  expect_failure(run("suggest demo.h5 --take salsa_01 -o s.doc"),
+                 "s.doc: is none of the label formats .eaf, .csv, .json, .TextGrid, .txt");
   EXPECT_THAT(names(), ElementsAre("demo", "demo.h5"));
 }
 

@@ -254,8 +254,8 @@ void write_labels() {
   tiers[1] = {"role", {{0, 2, "a"}}, {{"a"}, {"b"}}, TierKind::Role};
   for (const auto& [target, name] : {std::pair{"eaf", "two.eaf"},
                                      {"tier_json", "two.json"},
-                                     {"webvtt", "two.vtt"},
-                                     {"srt", "two.srt"},
+                                     {"text_grid", "two.TextGrid"},
+                                     {"elan_text", "audacity.txt"},
                                      {"tier_csv", "two.csv"}})
     seed(target, name, write_tiers(tiers, name, {})->text);
   TierWriting writing;
@@ -263,9 +263,9 @@ void write_labels() {
   const std::string labels = write_tiers(tiers, "labels.csv", writing)->text;
   seed("labels", "salsa.csv", labels);
   seed("tier_csv", "labels.csv", labels);
-  seed("webvtt", "styled.vtt",
-       "WEBVTT - a title\n\nNOTE a note\n\nSTYLE\n::cue {}\n\nmove 1\n00:00.000 --> 00:01.500 "
-       "align:start\n<v move>ba<i>sic</i> &amp; turn\n");
+  seed("text_grid", "short.TextGrid",
+       "File type = \"ooTextFile short\"\n\"TextGrid\"\n\n0\n2\n<exists>\n2\n\"IntervalTier\"\n\"move\"\n0\n2\n1\n0\n2\n"
+       "\"a \"\"b\"\"\"\n\"TextTier\"\n\"beat\"\n0\n2\n1\n1\n\"x\"\n");
   seed("eaf", "units.eaf", content_of("tests/fixtures/labels/units.eaf"));
 }
 

@@ -284,7 +284,7 @@ TEST_F(ExportWindow, EveryOtherContentIsWritten) {
   dialog().offer(desk().offer());
   for (const auto& [what, ending] : {std::pair{1, ".pvd"},
                                      {2, ".eaf"},
-                                     {2, ".vtt"},
+                                     {2, ".TextGrid"},
                                      {3, ".jsonl"},
                                      {4, ".csv"},
                                      {4, ".png"},
@@ -439,12 +439,12 @@ TEST_F(ExportWindow, WhatIsInTheWayIsTold) {
 
 TEST_F(ExportWindow, TheChoicesOfLastTimeComeBack) {
   choose("What", 2);
-  choose("As", ".vtt");
+  choose("As", ".TextGrid");
   const QStringList choices = dialog().choices();
   choose("What", 0);
   dialog().restore(choices);
   EXPECT_EQ(box("What").currentData().toInt(), 2);
-  EXPECT_EQ(box("As").currentData().toString(), ".vtt");
+  EXPECT_EQ(box("As").currentData().toString(), ".TextGrid");
   choose("What", 0);
   character().setText(rig());
   choose("As", ".vrm");

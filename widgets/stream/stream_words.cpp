@@ -110,6 +110,9 @@ std::vector<StreamFigure> figures_of(const PerformerHealth& performer) {
               "Frames that gave no pose: too many joints were not tracked, or unknown"),
       counted("interrupted", performer.interruptions, "Times that tracking was lost and came back"),
       counted("restarts", performer.restarts, "The sender restarted: its counter or its time began again"),
+      {"clock", performer.uses_sender_time ? "sender's" : "arrival", false,
+       "Whose times the poses have: the sender's, or those of their arrival if it sends none or they prove "
+       "wrong"},
       counted("clock jumps", performer.clock_jumps, "Of the sender's clock"),
       {"replaced", count_text(performer.dropped), false,
        "Poses replaced by a newer one before the solver took them"}};

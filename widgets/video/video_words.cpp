@@ -31,6 +31,7 @@ std::string facts_text(const VideoFacts& facts) {
   if (!facts.codec.empty()) text += " · " + facts.codec;
   text += " · " + shortest(facts.rate_hz) + (facts.is_even ? " Hz" : " Hz, uneven");
   if (facts.rotation_deg != 0) text += " · turned by " + std::to_string(facts.rotation_deg) + "°";
+  if (facts.is_mirrored) text += " · mirrored";
   return text + " · " + fixed(facts.duration_s(), 1) + " s";
 }
 

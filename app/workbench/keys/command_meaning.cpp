@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::array<CommandWords, 36> other_words = {{
     {"annotation.export_labels",
-     "export eaf elan csv json vtt srt subtitles annotations roles moves file save write"},
+     "export eaf elan csv json praat textgrid audacity annotations roles moves file save write"},
     {"annotation.import_labels",
-     "open eaf elan csv json vtt srt subtitles annotations roles moves file read load"},
+     "open eaf elan csv json praat textgrid audacity annotations roles moves file read load"},
     {"file.export",
      "bvh glb gltf csv numpy npz vtu paraview blender motion mesh trace labels eaf file save write"},
     {"file.save_picture_of_the_window", "screenshot png image"},

@@ -30,7 +30,7 @@ LabelImport::LabelImport(MainWindow& window, AnnotationDesk& desk)
 
 void LabelImport::choose() {
   const QStringList files = ask_files(&m_window, m_window.remembered(), "Import labels",
-                                      "Labels (*.eaf *.csv *.json *.vtt *.srt);;All files (*)");
+                                      "Labels (*.eaf *.csv *.json *.TextGrid *.txt);;All files (*)");
   if (!files.isEmpty()) read(files);
 }
 

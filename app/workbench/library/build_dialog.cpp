@@ -154,7 +154,7 @@ QWidget* BuildDialog::makeOutputs() {
   grid->addWidget(label, 0, 0);
   grid->addWidget(m_name, 0, 1, 1, 2);
   m_labels = addPath(grid, 1, "Labels", "CSV: take,start_frame,end_frame,label[,detail,confidence]",
-                     "Labels (*.csv *.eaf *.json *.vtt *.srt);;All files (*)");
+                     "Labels (*.csv *.eaf *.json *.TextGrid *.txt);;All files (*)");
   m_library = addPath(grid, 0, "Save library", "Library file (.h5) that opens without building",
                       "Libraries (*.h5)", ".h5");
   m_manifest =
@@ -337,7 +337,7 @@ void BuildDialog::reject() {
 void BuildDialog::chooseFiles() {
   const QStringList files =
       widgets::choose_files(this, "Add files", {},
-                            QString("Motions, skeletons, labels (%1 *.eaf *.json *.vtt *.srt);;All files (*)")
+                            QString("Motions, skeletons, labels (%1 *.eaf *.json *.TextGrid *.txt);;All files (*)")
                                 .arg(QString::fromStdString(motion_file_patterns(true))));
   if (files.isEmpty()) return;
   m_table->setFocus();  // what Return presses is Build again

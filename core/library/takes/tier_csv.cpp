@@ -10,6 +10,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/takes/csv_text.hpp"
+#include "core/library/takes/elan_text.hpp"
 #include "core/library/takes/manifest.hpp"
 #include "core/library/takes/take_labels.hpp"
 
@@ -152,6 +153,7 @@ Result<TierDocument> parse_tier_csv(std::string_view text, std::string_view wher
   if (rows->empty())
     return Error{"is empty; expected a table tier,start,end,value or take,start_frame,end_frame,label",
                  std::string(where)};
+  if (is_elan_table(text)) return parse_elan_table(text, where);
   return has_tier_header(*rows) ? parse_exchange(*rows, where) : parse_label_file(text, where, reading);
 }
 
@@ -203,6 +205,27 @@ Result<TierText> label_csv(std::span<const Tier> tiers, std::string_view where, 
                     left_out, moves->intervals.size()));
   if (tiers.size() > 1)
     written.warnings.push_back(fmt::format("a label file holds one tier, here {}; {} left out",
+                                           in_quotes(moves->name), tiers.size() - 1));
+  return written;
+}
+
+Result<TierText> audacity_labels(std::span<const Tier> tiers, std::string_view where) {
+  const Tier* moves = tier_of_moves(tiers);
+  if (!moves) return Error{"a label track holds one tier; say which", std::string(where)};
+  TierText written;
+  int remarks = 0;
+  for (const TierInterval& one : moves->intervals) {
+    if (one.value.find_first_of("\t\r\n") != std::string::npos)
+      return Error{fmt::format("a label track holds no tabs and line ends, found {}", in_quotes(one.value)),
+                   std::string(where)};
+    remarks += one.detail.empty() && one.confidence.empty() ? 0 : 1;
+    written.text += fmt::format("{:.6f}\t{:.6f}\t{}\n", one.start_s, one.end_s, one.value);
+  }
+  if (remarks > 0)
+    written.warnings.push_back(fmt::format("detail and confidence of {} interval{} were left out", remarks,
+                                           remarks == 1 ? "" : "s"));
+  if (tiers.size() > 1)
+    written.warnings.push_back(fmt::format("a label track holds one tier, here {}; {} left out",
                                            in_quotes(moves->name), tiers.size() - 1));
   return written;
 }

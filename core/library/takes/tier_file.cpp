@@ -12,7 +12,7 @@
 #include "core/base/utf8.hpp"
 #include "core/library/takes/eaf_file.hpp"
 #include "core/library/takes/elan_text.hpp"
-#include "core/library/takes/subtitle_file.hpp"
+#include "core/library/takes/text_grid.hpp"
 #include "core/library/takes/tier_csv.hpp"
 
 namespace abrazo {
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 64u << 20;
 constexpr std::size_t most_intervals = 1'000'000;
-constexpr std::string_view elan_text_extension = ".txt";  ///< is read, never written
+constexpr std::string_view text_extension = ".txt", grid_extension = ".textgrid";
 constexpr double half_millisecond_s = 0.0005;
 
 std::string extension_of(std::string_view name) {
@@ -29,9 +29,9 @@ std::string extension_of(std::string_view name) {
   return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
 }
 
-bool has_whole_milliseconds(const std::string& extension) {
-  return extension == ".eaf" || extension == ".vtt" || extension == ".srt" ||
-         extension == elan_text_extension;
+/// Texts are ELAN's, or Audacity's in microseconds.
+bool has_rounded_times(const std::string& extension) {
+  return extension == ".eaf" || extension == text_extension || extension == grid_extension;
 }
 
 Error unknown_format(const std::string& name) {
@@ -43,7 +43,7 @@ Status check_text(std::string_view text, const std::string& name, const std::str
   if (text.size() > most_bytes)
     return Error{fmt::format("has {} MB; label files have at most {}", text.size() >> 20, most_bytes >> 20),
                  name};
-  if (extension == ".eaf") return Done{};  // states its encoding itself
+  if (extension == ".eaf" || extension == grid_extension) return Done{};  // state their encoding themselves
   if (const auto byte = first_broken_byte(text))
     return Error{fmt::format("is not UTF-8 text from byte {} on; save it as UTF-8", *byte), name};
   return Done{};
@@ -53,11 +53,10 @@ Result<TierDocument> parsed(std::string_view text, const std::string& name, cons
                             const TierReading& reading) {
   TierDocument document;
   if (extension == ".csv") return parse_tier_csv(text, name, reading);
-  if (extension == ".vtt") return parse_subtitles(text, name, SubtitleForm::WebVtt);
-  if (extension == ".srt") return parse_subtitles(text, name, SubtitleForm::SubRip);
-  if (extension == elan_text_extension && text.find('\t') == std::string_view::npos)
+  if (extension == grid_extension) return parse_text_grid(text, name);
+  if (extension == text_extension && text.find('\t') == std::string_view::npos)
     return parse_tier_csv(text, name, reading);
-  if (extension == elan_text_extension) return parse_elan_text(text, name);
+  if (extension == text_extension) return parse_elan_table(text, name);
   if (extension == ".json") {
     auto tiers = parse_tiers_json(text, name, document.warnings);
     if (!tiers) return tiers.error();
@@ -117,17 +116,11 @@ Result<TierText> written(std::span<const Tier> tiers, const std::string& name, c
                          const TierWriting& writing) {
   if (extension == ".csv") return writing.take.empty() ? tier_csv(tiers) : label_csv(tiers, name, writing);
   if (extension == ".json") return TierText{tiers_json(tiers), {}};
-  TierText text;
-  if (extension == ".eaf") {
-    auto eaf = write_eaf(tiers, {writing.author, writing.date});
-    if (!eaf) return Error{eaf.error().text(), name};
-    text.text = std::move(*eaf);
-  } else {
-    auto subtitles =
-        write_subtitles(tiers, name, extension == ".vtt" ? SubtitleForm::WebVtt : SubtitleForm::SubRip);
-    if (!subtitles) return subtitles.error();
-    text = std::move(*subtitles);
-  }
+  if (extension == grid_extension) return text_grid(tiers);
+  if (extension == text_extension) return audacity_labels(tiers, name);
+  auto eaf = write_eaf(tiers, {writing.author, writing.date});
+  if (!eaf) return Error{eaf.error().text(), name};
+  TierText text{std::move(*eaf), {}};
   warn_of_rounding(tiers, text.warnings);
   return text;
 }
@@ -135,18 +128,14 @@ Result<TierText> written(std::span<const Tier> tiers, const std::string& name, c
 }  // namespace
 
 const std::vector<std::string>& tier_file_extensions() {
-  static const std::vector<std::string> extensions = {".eaf", ".csv", ".json", ".vtt", ".srt"};
+  static const std::vector<std::string> extensions = {".eaf", ".csv", ".json", ".TextGrid", ".txt"};
   return extensions;
 }
 
 bool is_tier_file(std::string_view name) {
-  if (extension_of(name) == elan_text_extension) return true;
-  const auto& known = tier_file_extensions();
-  return std::find(known.begin(), known.end(), extension_of(name)) != known.end();
-}
-
-bool is_written_tier_file(std::string_view name) {
-  return is_tier_file(name) && extension_of(name) != elan_text_extension;
+  return std::ranges::any_of(
+      tier_file_extensions(),
+      [extension = extension_of(name)](const std::string& known) { return lower_case(known) == extension; });
 }
 
 Result<TierDocument> parse_tiers(std::string_view text, const std::string& name, const TierReading& reading) {
@@ -159,7 +148,7 @@ Result<TierDocument> parse_tiers(std::string_view text, const std::string& name,
     return Error{fmt::format("has {} intervals; a label file has at most {}", intervals_in(document->tiers),
                              most_intervals),
                  name};
-  if (reading.fps > 0 && has_whole_milliseconds(extension)) put_on_frames(document->tiers, reading.fps);
+  if (reading.fps > 0 && has_rounded_times(extension)) put_on_frames(document->tiers, reading.fps);
   if (const Status checked = check_tiers(document->tiers, name); !checked) return checked.error();
   return document;
 }
@@ -178,7 +167,7 @@ Result<TierDocument> read_tiers(const std::filesystem::path& file, const TierRea
 
 Result<TierText> write_tiers(std::span<const Tier> tiers, const std::string& name,
                              const TierWriting& writing) {
-  if (!is_written_tier_file(name)) return unknown_format(name);
+  if (!is_tier_file(name)) return unknown_format(name);
   std::vector<Tier> kept(tiers.begin(), tiers.end());
   const int left_out = leave_out_empty(kept);
   if (const Status checked = check_tiers(kept, name); !checked) return checked.error();

@@ -38,18 +38,18 @@ struct TierText {
   std::vector<std::string> warnings;
 };
 
-/// ".eaf", ".csv", ".json", ".vtt", ".srt"
+/// ".eaf", ".csv", ".json", ".TextGrid", ".txt"
 const std::vector<std::string>& tier_file_extensions();
+/// Whether the name ends in one of these, in any case.
 bool is_tier_file(std::string_view name);
-/// Whether its ending says a format that labels are also written in: not the text of ELAN.
-bool is_written_tier_file(std::string_view name);
 
 /// Tiers from a file of these formats:
 ///   .eaf   ELAN 2.0 to 3.0: alignable and reference annotations, vocabularies, units; see eaf_file.hpp
 ///   .csv   with a header tier,start,end,value[,detail,confidence] in seconds; else the label file
-///          take,start_frame,end_frame,label[,detail,confidence] of one take as the tier "move"
+///          take,start_frame,end_frame,label[,detail,confidence] of one take as the tier "move"; or ELAN's
+///   .txt   tables that ELAN exports, and label tracks of Audacity: see elan_text.hpp
+///   .TextGrid  of Praat: see text_grid.hpp
 ///   .json  see tiers_json
-///   .vtt   WebVTT: a cue's voice is its tier; .srt "[tier] value". Cues that overlap go to further tiers
 /// Tiers without a kind in the file get that of their name: see kind_of_name. At most 64 MB and a million
 /// intervals.
 /// @param name  gives the format by its extension, and the place in messages
@@ -57,9 +57,10 @@ bool is_written_tier_file(std::string_view name);
 Result<TierDocument> parse_tiers(std::string_view text, const std::string& name, const TierReading& reading);
 Result<TierDocument> read_tiers(const std::filesystem::path& file, const TierReading& reading);
 
-/// Tiers in the format of the extension. CSV in seconds and JSON read back to the same doubles, the others to
-/// whole milliseconds; vocabularies, kinds and empty tiers are kept by .eaf and .json, detail and confidence
-/// also by CSV.
+/// Tiers in the format of the extension; .txt is a label track of Audacity, of one tier. CSV in seconds, JSON
+/// and TextGrids read back to the same doubles, .eaf to whole milliseconds, .txt to microseconds.
+/// Vocabularies and kinds are kept by .eaf and .json, detail and confidence also by CSV; empty tiers by all
+/// but CSV and .txt.
 /// @param name  gives the format, and the place in messages
 Result<TierText> write_tiers(std::span<const Tier> tiers, const std::string& name,
                              const TierWriting& writing);

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
+#include "core/base/limits.hpp"
 #include "core/library/takes/refusal.hpp"
 #include "core/library/takes/tier_kind.hpp"
 

@@ -25,6 +25,10 @@ bool has_number(const std::vector<std::string_view>& fields) {
   return false;
 }
 
+bool is_empty(const std::vector<std::string_view>& fields) {
+  return std::ranges::all_of(fields, [](std::string_view field) { return field.empty(); });
+}
+
 }  // namespace
 
 Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::string_view where) {
@@ -40,9 +44,21 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
   for (const PointColumn& column : header.columns)
     for (const std::size_t field : column.fields) expected = std::max(expected, field + 1);
   std::string_view line;
+  std::size_t empty = 0;  // a spreadsheet leaves such rows of what was deleted there
+  int first_empty = 0;
   while (lines.next(line)) {
     if (trimmed(line).empty()) continue;
     const auto fields = table_fields(line, header.separator);
+    if (fields.size() >= expected && is_empty(fields)) {
+      if (empty++ == 0) first_empty = lines.number();
+      continue;
+    }
+    // Between others nobody was seen, unless the time tells how many frames are missing.
+    if (rows.frames() > 0 && !header.time_field && has_number(fields))
+      for (; empty > 0; --empty)
+        if (const Status added = rows.add(std::vector<std::string_view>(expected), where, first_empty);
+            !added)
+          return added.error();
     if (rows.frames() == 0 && note_units(fields, header)) continue;
     if (rows.frames() > 0 && !has_number(fields) && fields.size() < expected) break;  // another table follows
     const bool last = trimmed(lines.rest()).empty();
@@ -58,6 +74,10 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
                           " fields, as the header names them, found " + std::to_string(fields.size()));
     if (const Status added = rows.add(fields, where, lines.number()); !added) return added.error();
   }
+  if (empty > 0)
+    header.warnings.push_back(
+        {"empty-rows", first_empty,
+         std::to_string(empty) + (empty == 1 ? " empty row was" : " empty rows were") + " left out"});
   if (rows.frames() == 0) return Error{"has no rows of numbers below its header", std::string(where)};
   NamedMotion motion = rows.take(header.seconds_per_time);
   if (header.fps) motion.fps = header.fps;

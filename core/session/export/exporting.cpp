@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/output_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "core/motion/scenes/character_glb.hpp"
 #include "core/session/export/export_parts.hpp"
 
@@ -69,7 +70,7 @@ std::vector<std::string> export_types(ExportContent content) {
     case ExportContent::Mesh:
       return {".vtu", ".pvd"};
     case ExportContent::Labels:
-      return {".eaf", ".csv", ".json", ".vtt", ".srt"};
+      return tier_file_extensions();
     case ExportContent::Trace:
       return {".jsonl"};
     case ExportContent::Motion:

@@ -10,6 +10,7 @@
 
 #include "core/base/statistics.hpp"
 #include "core/session/export/export_plan.hpp"
+#include "core/stream/receive/sender_clock.hpp"
 #include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo {
@@ -82,9 +83,12 @@ Pose pose_of(const FrameSnapshot& frame, SessionBody body) {
 }
 
 /// The times at which received poses were taken, on the clock of the session. A sender's own clock is
-/// steadier than arrival over a network; where it jumps, only the arrival times are usable.
+/// steadier than arrival over a network, if it proves itself as it has to while it is received.
 void use_sender_clock(std::vector<StampedPose>& poses, const std::vector<double>& sender_s) {
   std::vector<double> offsets;
+  SenderClock clock;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (clock.take(sender_s[i], poses[i].time_s) || clock.doubt() != SenderClock::Doubt::None) return;
   for (std::size_t i = 0; i < poses.size(); ++i) offsets.push_back(poses[i].time_s - sender_s[i]);
   const double offset = percentile(offsets, 0.5);
   constexpr double largest_delay_s = 0.25;

@@ -79,7 +79,8 @@ class NatNetDecoder : public StreamDecoder {
   NatNetConnection connection_;
   std::optional<NatNetModel> model_;
   std::vector<NatNetPerformer> performers_;
-  NatNetFrame newest_;  ///< without its bodies: for the facts
+  std::optional<StreamIssue> old_server_;  ///< why its frames cannot be read
+  NatNetFrame newest_;                     ///< without its bodies: for the facts
   std::optional<double> frame_s_, told_s_, first_s_;
 };
 
@@ -136,6 +137,7 @@ bool NatNetDecoder::is_from_server(const Datagram& datagram, NatNetMessage id, D
       return false;
     case SenderHold::Answer::NewHolder:
       connection_ = NatNetConnection(knows_host_, options_.version);
+      old_server_.reset();
       connection_.set_server_place(datagram.from);
       model_.reset();
       performers_.clear();
@@ -158,9 +160,9 @@ void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decod
   }
   const bool was_asked = connection_.expects_server_info(arrived_s);
   if (was_asked && info.version < oldest_natnet) {
-    out.issues.push_back({"old-version", info.text() +
-                                             " is spoken there; 3.0 or later can be read. Use Motive "
-                                             "2.0 or later"});
+    old_server_ = {"old-version",
+                   info.text() + " is spoken there; 3.0 or later can be read. Use Motive 2.0 or later"};
+    out.issues.push_back(*old_server_);
     return;
   }
   if (was_asked && info.multicast && info.group != 0 && !is_multicast_group(info.group)) {
@@ -169,6 +171,7 @@ void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decod
                                           "Set the group in Motive, or choose Unicast there"});
     return;
   }
+  old_server_.reset();
   const auto before = connection_.version();
   if (auto wrong = connection_.take_server_info(info, arrived_s)) out.issues.push_back(std::move(*wrong));
   if (connection_.version() != before) model_.reset();
@@ -177,9 +180,12 @@ void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decod
 /// Whether the version that decides the fields is known.
 bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, Decoded& out) {
   if (reader.failed() || connection_.version()) return !reader.failed();
-  out.issues.push_back({"no-version", std::string(what) +
-                                          " arrived before the server's version; the version is requested. "
-                                          "If its command port is closed, give version=3.1 or the like"});
+  if (old_server_)
+    out.issues.push_back(*old_server_);
+  else
+    out.issues.push_back({"no-version", std::string(what) +
+                                            " arrived before the server's version; the version is requested. "
+                                            "If its command port is closed, give version=3.1 or the like"});
   return false;
 }
 

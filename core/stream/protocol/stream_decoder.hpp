@@ -14,7 +14,8 @@ namespace abrazo {
 
 /// One performer at one instant as decoded: named points, not yet the 25 joints.
 struct PerformerFrame {
-  std::string performer;  ///< constant during the stream: "192.168.1.7:39540", "Ana", "character 1"
+  std::string performer;    ///< constant during the stream: "192.168.1.7:39540", "Ana", "character 1"
+  std::string also_called;  ///< a name that the sender told after the first frame; or empty
   std::shared_ptr<const std::vector<std::string>> points;  ///< unique names; same pointer while unchanged
   Positions positions;  ///< points x 3, right-handed, Y up [m]; a row that is not finite was not tracked
   std::optional<std::int64_t> counter;  ///< of the sender, if the protocol has one

@@ -28,10 +28,11 @@ struct PerformerHealth {
   std::uint64_t held_joints = 0;                    ///< untracked joints kept from the previous frame
   std::uint64_t interruptions = 0;                  ///< losses of tracking that ended
   std::uint64_t clock_jumps = 0;
-  std::uint64_t restarts = 0;  ///< restarts of the sender's counter or time
-  std::uint64_t unusable = 0;  ///< frames without a pose: too many joints untracked or unknown
-  std::uint64_t dropped = 0;   ///< poses replaced by a newer one before the solver took them
-  bool tracked = false;        ///< now
+  bool uses_sender_time = false;  ///< otherwise frames have the times at which they arrived
+  std::uint64_t restarts = 0;     ///< restarts of the sender's counter or time
+  std::uint64_t unusable = 0;     ///< frames without a pose: too many joints untracked or unknown
+  std::uint64_t dropped = 0;      ///< poses replaced by a newer one before the solver took them
+  bool tracked = false;           ///< now
   bool calibrated = false;
   std::vector<std::string> calibration_doubts;  ///< deviations from a T-pose, with what to change
   std::string joint_map;                        ///< "unity", ...

@@ -29,8 +29,7 @@ PerformerStream::PerformerStream(std::string name, const Options& options, doubl
       options_(options),
       assembly_(options.assembly),
       buffer_(options.delay_s),
-      first_seen_s_(now_s),
-      sender_time_changed_s_(now_s) {}
+      first_seen_s_(now_s) {}
 
 bool PerformerStream::count(FrameOrder::Kind kind, double now_s) {
   recent_frames_.add(now_s);
@@ -51,11 +50,6 @@ bool PerformerStream::count(FrameOrder::Kind kind, double now_s) {
     assembly_.forget();
   }
   return kind != FrameOrder::Kind::Repeated && kind != FrameOrder::Kind::Stray;
-}
-
-void PerformerStream::note_sender_time(const PerformerFrame& frame) {
-  if (frame.sender_time_s != last_sender_time_s_) sender_time_changed_s_ = frame.arrived_s;
-  last_sender_time_s_ = frame.sender_time_s;
 }
 
 double PerformerStream::session_time(const PerformerFrame& frame, FrameOrder::Kind kind) {
@@ -81,7 +75,8 @@ bool PerformerStream::breaks_off(const Pose& pose, const PerformerFrame& frame) 
 
 PerformerStream::Outcome PerformerStream::take(const PerformerFrame& frame, double now_s) {
   last_frame_s_ = std::max(last_frame_s_, frame.arrived_s);
-  note_sender_time(frame);
+  has_sender_time_ = frame.sender_time_s.has_value();
+  also_called_ = frame.also_called;
   const FrameOrder::Placed placed =
       order_.place({frame.counter, frame.sender_time_s, content_of(frame.positions), frame.arrived_s});
   if (!count(placed.kind, now_s)) return {};
@@ -176,7 +171,8 @@ PerformerObservation PerformerStream::observe(double now_s) const {
   seen.first_s = first_seen_s_;
   seen.last_pose_s = last_pose_s_;
   seen.frozen_s = posture_.frozen_s();
-  if (last_sender_time_s_) seen.clock_still_s = last_frame_s_ - sender_time_changed_s_;
+  if (has_sender_time_) seen.clock_doubt = clock_.doubt();
+  health.uses_sender_time = has_sender_time_ && clock_.doubt() == SenderClock::Doubt::None;
   seen.last_clock_jump_s = last_clock_jump_s_;
   seen.last_restart_s = last_restart_s_;
   seen.is_calibrating = calibrating_.has_value();

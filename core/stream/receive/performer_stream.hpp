@@ -38,6 +38,8 @@ class PerformerStream {
   void set_delay(double delay_s) { buffer_.set_delay(delay_s); }
 
   const std::string& name() const { return name_; }
+  /// Its name, or one that its sender told later.
+  bool is_called(const std::string& name) const { return name == name_ || name == also_called_; }
   double first_seen_s() const { return first_seen_s_; }
   double last_pose_s() const { return last_pose_s_; }  ///< arrival of the newest pose; -1 for none
   double last_frame_s() const { return last_frame_s_; }
@@ -53,9 +55,8 @@ class PerformerStream {
   bool count(FrameOrder::Kind kind, double now_s);
   double session_time(const PerformerFrame& frame, FrameOrder::Kind kind);
   bool breaks_off(const Pose& pose, const PerformerFrame& frame);
-  void note_sender_time(const PerformerFrame& frame);
 
-  std::string name_;
+  std::string name_, also_called_;
   Options options_;
   FrameAssembly assembly_;
   FrameOrder order_;
@@ -71,8 +72,7 @@ class PerformerStream {
   double first_seen_s_;
   double last_frame_s_ = -1, last_pose_s_ = -1, last_break_s_ = -1;
   double last_clock_jump_s_ = -1, last_restart_s_ = -1;
-  std::optional<double> last_sender_time_s_;
-  double sender_time_changed_s_ = 0;
+  bool has_sender_time_ = false;
   bool break_pending_ = true;
 
   struct Calibrating {

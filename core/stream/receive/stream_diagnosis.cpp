@@ -106,9 +106,11 @@ void look_for_silence(const StreamObservation& seen, Advice& advice) {
             " through both firewalls; where Wi-Fi blocks multicast choose unicast");
   else if (only_here)
     advice.add(Severity::Error, "no-packets",
-               since + "only packets of this machine are taken at " + seen.uri.host +
-                   ". Have the sender send to " + seen.uri.host + ":" + port +
-                   ", or listen on 0.0.0.0:" + port + " (every network) when it runs on another machine");
+               since +
+                   "only packets of this machine are taken at 127.0.0.1 (IPv4). Have the sender send to "
+                   "127.0.0.1:" +
+                   port + " (localhost may mean ::1 there), or listen on 0.0.0.0:" + port +
+                   " (every network) when it runs on another machine");
   else
     advice.add(Severity::Error, "no-packets",
                since + "have the sender send to the address of this machine, port " + port + "; let UDP " +
@@ -155,6 +157,9 @@ void look_for_bones(const StreamObservation& seen, Advice& advice) {
   const bool understood = seen.last_understood_s >= 0 && seen.now_s - seen.last_understood_s < stalled_s;
   const double frame_s = std::max(seen.last_frame_s, seen.opened_s);
   if (!understood || seen.now_s - frame_s < patience_s) return;
+  const StreamIssue& newest = seen.latest_issue;
+  if (newest.kind == "missing-bones" || newest.kind == "old-version")
+    return advice.add(Severity::Error, "no-bones", newest.text);
   std::string text = sender_name(seen) + " packets come, but no bones";
   switch (seen.uri.scheme) {
     case Scheme::Vmc:
@@ -169,16 +174,20 @@ void look_for_bones(const StreamObservation& seen, Advice& advice) {
       text += ": in MVN's network streamer tick Position + Orientation (quaternion)";
       break;
   }
-  if (!seen.latest_issue.empty()) text += ". The newest problem: " + seen.latest_issue;
+  if (!newest.text.empty()) text += ". The newest problem: " + newest.text;
   advice.add(Severity::Error, "no-bones", text);
+}
+
+std::size_t count_machines(const StreamObservation& seen) {
+  std::set<std::string_view> machines;
+  for (const std::string_view sender : seen.recent_senders)
+    machines.insert(sender.substr(0, sender.rfind(':')));
+  return machines.size();
 }
 
 /// Motive answers from one port and sends frames from another: of NatNet a machine is one sender.
 std::size_t count_senders(const StreamObservation& seen) {
-  std::set<std::string_view> senders;
-  for (const std::string_view sender : seen.recent_senders)
-    senders.insert(seen.uri.scheme == Scheme::NatNet ? sender.substr(0, sender.rfind(':')) : sender);
-  return senders.size();
+  return seen.uri.scheme == Scheme::NatNet ? count_machines(seen) : seen.recent_senders.size();
 }
 
 void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
@@ -188,7 +197,11 @@ void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
   if (seen.uri.scheme == Scheme::Vmc)
     advice.add(Severity::Warning, "two-senders",
                who + "Each counts as a separate performer; choose who plays the user. If one is left over " +
-                   "from before, end it; two performers are safer on two ports");
+                   "from before, end it; two performers are safer on two ports" +
+                   (count_machines(seen) == 1
+                        ? ". If it is one program that takes another port for every packet, receive with "
+                          "the option split=port"
+                        : ""));
   else
     advice.add(Severity::Warning, "two-senders",
                who +
@@ -290,9 +303,8 @@ class PerformerAdvice {
       add(Severity::Warning, "frozen",
           "frames come but the pose has not changed for " + number(seen_.frozen_s, 1) +
               " s: the sender is paused, or its capture has stopped");
-    } else if (seen_.clock_still_s > frozen_after_s) {
-      add(Severity::Note, "frozen-clock",
-          "the sender's time stands still while its poses move; the time of arrival is used instead");
+    } else {
+      look_at_doubts();
     }
     if (health_.rate_hz <= 0) return;
     // A slow stream never has many frames; it is known by its intervals.
@@ -310,6 +322,26 @@ class PerformerAdvice {
           "poses come in bursts: one in twenty waits " + number(health_.interval_p95_ms) + " ms instead of " +
               number(health_.interval_p50_ms) + " ms; a delay of " + number(wise_delay_ms()) +
               " ms makes the motion even, a cable or another network interface the cause");
+  }
+
+  void look_at_doubts() {
+    constexpr const char* instead = "; the times of arrival are used instead";
+    switch (seen_.clock_doubt) {
+      case SenderClock::Doubt::None:
+        return;
+      case SenderClock::Doubt::Stands:
+        return add(Severity::Note, "frozen-clock",
+                   std::string("the sender's time stands still while its poses move") + instead);
+      case SenderClock::Doubt::Coarse:
+        return add(Severity::Note, "coarse-clock",
+                   std::string("the sender's time is a number too large to tell its frames apart, as of a "
+                               "computer that runs for days, or since 1970") +
+                       instead);
+      case SenderClock::Doubt::Jumps:
+        return add(
+            Severity::Note, "unsteady-clock",
+            std::string("the sender's time jumps again and again, so it does not count seconds") + instead);
+    }
   }
 
   void look_at_clock() {

@@ -8,6 +8,7 @@
 
 #include "core/stream/protocol/stream_health.hpp"
 #include "core/stream/protocol/stream_uri.hpp"
+#include "core/stream/receive/sender_clock.hpp"
 #include "core/stream/receive/stream_meter.hpp"
 
 namespace abrazo {
@@ -18,10 +19,10 @@ struct PerformerObservation {
   std::uint64_t recent_frames = 0, recent_lost = 0, recent_late = 0, recent_repeated = 0, recent_unusable = 0;
   std::uint64_t recent_held_frames = 0;
   PostureMeter::Posture posture;
-  double first_s = 0;        ///< time of first appearance
-  double last_pose_s = -1;   ///< newest frame with a pose; -1 = none
-  double frozen_s = 0;       ///< duration without a change of pose
-  double clock_still_s = 0;  ///< duration without a change of the sender's time
+  double first_s = 0;                                         ///< time of first appearance
+  double last_pose_s = -1;                                    ///< newest frame with a pose; -1 = none
+  double frozen_s = 0;                                        ///< duration without a change of pose
+  SenderClock::Doubt clock_doubt = SenderClock::Doubt::None;  ///< then the times of arrival are used
   double last_clock_jump_s = -1, last_restart_s = -1;
   bool is_calibrating = false;
   std::string why_no_pose;  ///< reason for the newest frame without one
@@ -48,7 +49,7 @@ struct StreamObservation {
   std::string failure;        ///< why the socket failed
   std::string group_failure;  ///< why a multicast group could not be joined
   std::string lost_address;   ///< listening address that this machine no longer has
-  std::string latest_issue;   ///< text of the newest issue of the decoder
+  StreamIssue latest_issue;   ///< the newest of the decoder
   std::string unreadable;     ///< why the newest unreadable packet could not be read
   std::vector<PerformerObservation> performers;
 };

@@ -134,7 +134,7 @@ void StreamPipeline::work_off(Decoded& decoded, double now_s, Output& out) {
       note_sender_change(issue.text, now_s);
     else
       note_issue(issue);
-    latest_issue_ = issue.text;
+    latest_issue_ = issue;
   }
   for (const PerformerFrame& frame : decoded.frames) take_frame(frame, now_s, out);
   for (OutgoingDatagram& reply : decoded.replies) out.replies.push_back(std::move(reply));
@@ -150,13 +150,18 @@ void StreamPipeline::take_frame(const PerformerFrame& frame, double now_s, Outpu
 }
 
 PerformerStream* StreamPipeline::find(const std::string& performer) {
-  for (const auto& stream : streams_)
-    if (stream->name() == performer) return stream.get();
-  return nullptr;
+  const auto named = [&](auto is_it) -> PerformerStream* {
+    const auto found = std::ranges::find_if(streams_, is_it);
+    return found == streams_.end() ? nullptr : found->get();
+  };
+  if (auto* const by_name = named([&](const auto& stream) { return stream->name() == performer; }))
+    return by_name;
+  return named([&](const auto& stream) { return stream->is_called(performer); });
 }
 
 PerformerStream* StreamPipeline::stream_of(const PerformerFrame& frame, double now_s) {
-  if (PerformerStream* const known = find(frame.performer)) return known;
+  for (const auto& known : streams_)
+    if (known->name() == frame.performer) return known.get();
   if (streams_.size() >= most_performers) {
     // The performer that has been silent longest, preferably one without measurements.
     const auto silent = std::min_element(streams_.begin(), streams_.end(), [](const auto& a, const auto& b) {
@@ -222,7 +227,7 @@ void StreamPipeline::note_overflow(std::uint64_t total, double now_s) {
 void StreamPipeline::calibrate(const std::string& performer, double over_s, double now_s) {
   decoder_->calibrate(performer);
   for (const auto& stream : streams_)
-    if (performer.empty() || stream->name() == performer) stream->calibrate(over_s, now_s);
+    if (performer.empty() || stream->is_called(performer)) stream->calibrate(over_s, now_s);
 }
 
 void StreamPipeline::set_delay(double delay_s) {

@@ -55,7 +55,8 @@ class StreamPipeline {
   StreamHealth health(double now_s) const;
   StreamObservation observe(double now_s) const;
   std::vector<std::string> performers() const;
-  /// Null if it has not appeared. `streams` has them in order of appearance.
+  /// By the name, or one that the sender told later; null if it has not appeared. `streams` has them in order
+  /// of appearance.
   PerformerStream* find(const std::string& performer);
   const std::vector<std::unique_ptr<PerformerStream>>& streams() const { return streams_; }
 
@@ -77,8 +78,8 @@ class StreamPipeline {
   RecentCount recent_packets_, recent_unknown_, recent_overflow_, recent_strangers_;
   std::size_t first_bytes_count_ = 0, unknown_size_ = 0;
   double last_frame_s_ = -1, last_understood_s_ = -1, last_sender_change_s_ = -1;
-  std::string listening_, failure_, group_failure_, lost_address_, latest_issue_, unreadable_, stranger_,
-      sender_change_;
+  StreamIssue latest_issue_;
+  std::string listening_, failure_, group_failure_, lost_address_, unreadable_, stranger_, sender_change_;
 };
 
 }  // namespace abrazo

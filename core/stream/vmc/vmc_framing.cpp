@@ -38,6 +38,8 @@ std::optional<VmcFraming::Frame> VmcFraming::bone(int bone, double arrived_s) {
     }
   }
   if (seen_.none()) {
+    inside_ = ended_by_time_s_ && arrived_s - *ended_by_time_s_ < together_s ? inside_ + 1 : 0;
+    ended_by_time_s_.reset();
     first_arrived_s_ = arrived_s;
     if (frame_time_ && arrived_s - frame_time_arrived_s_ > together_s) frame_time_.reset();
     if (frame_time_) first_arrived_s_ = frame_time_arrived_s_;
@@ -58,6 +60,7 @@ std::optional<VmcFraming::Frame> VmcFraming::time(double value, double arrived_s
     if (!began_with_time) last_arrived_s_ = arrived_s;
     closed = close();
     if (!began_with_time) {
+      ended_by_time_s_ = arrived_s;
       closed->time = value;
       return closed;
     }

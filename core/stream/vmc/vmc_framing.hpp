@@ -33,9 +33,13 @@ class VmcFraming {
 
   bool is_open() const { return seen_.any(); }
   bool is_time_first() const { return time_first_; }
+  /// Bones go on right behind the T that ended their frame, frame after frame: each frame is put together
+  /// from two of the sender's.
+  bool is_time_inside() const { return inside_ >= frames_that_tell; }
   std::uint64_t mixed() const { return mixed_; }  ///< times that (a) was deferred because bones were missing
 
  private:
+  static constexpr int frames_that_tell = 10;
   Frame close();
 
   std::bitset<humanoid::bone_count> seen_, usual_;
@@ -45,6 +49,8 @@ class VmcFraming {
   std::optional<double> last_time_;
   double first_arrived_s_ = 0, last_arrived_s_ = 0;
   bool time_first_ = false;
+  std::optional<double> ended_by_time_s_;  ///< arrival of the T that ended the frame before
+  int inside_ = 0;
   int put_off_ = 0;
   bool put_off_in_packet_ = false;
   std::uint64_t mixed_ = 0;

@@ -128,9 +128,21 @@ void VmcPerformer::finish(const std::optional<VmcFraming::Frame>& frame, Decoded
     if (!pose.present[static_cast<std::size_t>(bone)])
       missing += (missing.empty() ? "" : ", ") + humanoid_bone_name(bone);
   if (!missing.empty()) {
-    out.issues.push_back({"missing-bones", name_ + ": no pose without " + missing});
+    const bool lacks_legs_alone = std::ranges::all_of(humanoid::required, [&](int bone) {
+      return pose.present[static_cast<std::size_t>(bone)] ||
+             (bone >= humanoid::LeftUpperLeg && bone <= humanoid::RightToes);
+    });
+    out.issues.push_back(
+        {"missing-bones",
+         name_ + (lacks_legs_alone ? ": bones come, but no legs: no pose without " : ": no pose without ") +
+             missing});
     return;
   }
+  if (framing_.is_time_inside())
+    out.issues.push_back(
+        {"time-inside-frame",
+         name_ + ": T comes between the bones of a frame, so that each pose is put together from two; "
+                 "have T sent before or behind all bones"});
   if (frame->held > 0)
     out.issues.push_back({"incomplete-frame", name_ + ": " + std::to_string(frame->held) +
                                                   " bones of the frame before did not come; they are held"});

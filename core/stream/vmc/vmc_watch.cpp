@@ -79,7 +79,7 @@ void VmcWatch::check(double now_s, Issues& issues) {
   if (frames_at_this_time_ >= frozen_frames && now_s - time_changed_s_ > frozen_s && time_)
     issues.push_back({"frozen-sender", sender_ + ": T stands at " + exact_text(*time_) + " s through " +
                                            std::to_string(frames_at_this_time_) +
-                                           " frames; the sender hangs, or repeats its last pose"});
+                                           " frames; it does not count, or the sender hangs"});
   if (now_s - last_bone_s_ >= check_every_s && now_s - first_message_s_ >= check_every_s)
     issues.push_back({"no-bones", sender_ + ": sends VMC, but no bones" +
                                       (ok_ && ok_->loaded == 0 ? "; it has no avatar loaded: load one"

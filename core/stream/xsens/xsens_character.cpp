@@ -280,6 +280,7 @@ void XsensCharacter::complete(const Partial& sample, double arrived_s, Decoded& 
   PerformerFrame frame;
   if (performer_.empty()) performer_ = name_.empty() ? "character " + std::to_string(id_ + 1) : name_;
   frame.performer = performer_;
+  if (name_ != performer_) frame.also_called = name_;
   frame.points = names;
   frame.positions.resize(static_cast<Eigen::Index>(names->size()), 3);
   for (std::size_t s = 0; s < poses.size(); ++s)

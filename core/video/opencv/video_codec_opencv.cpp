@@ -26,7 +26,7 @@ int quarter_turns(double degrees) {
 class OpenCvStream final : public PictureStream {
  public:
   bool open(const std::filesystem::path& file) override;
-  bool restart() override { return open(file_); }
+  bool restart() override;
   bool next() override;
   double stamp_ms() const override;
   bool jump(double seconds_after_start) override;
@@ -36,6 +36,7 @@ class OpenCvStream final : public PictureStream {
   double nominal_hz() const override;
   int promised() const override;
   int rotation_deg() const override { return rotation_deg_; }
+  void turn(int degrees, bool mirrors) override { rotation_deg_ = degrees, is_mirrored_ = mirrors; }
   std::string codec() const override;
   double pixel_aspect() const override;
 
@@ -45,6 +46,7 @@ class OpenCvStream final : public PictureStream {
   std::filesystem::path file_;
   mutable cv::VideoCapture capture_;  // OpenCV's readers are not const
   int rotation_deg_ = 0;
+  bool is_mirrored_ = false;
 };
 
 bool OpenCvStream::open(const std::filesystem::path& file) {
@@ -58,6 +60,13 @@ bool OpenCvStream::open(const std::filesystem::path& file) {
   } catch (const cv::Exception&) {
     return false;
   }
+}
+
+bool OpenCvStream::restart() {
+  const int degrees = rotation_deg_;
+  const bool is_open = open(file_);
+  rotation_deg_ = degrees;
+  return is_open;
 }
 
 bool OpenCvStream::next() {
@@ -98,6 +107,7 @@ DecodedPicture OpenCvStream::picture() const {
   if (bgr.empty()) return {};
   cv::Mat rgb;
   cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
+  if (is_mirrored_) cv::flip(rgb, rgb, 1);
   if (rotation_deg_ == 90) cv::rotate(rgb, rgb, cv::ROTATE_90_CLOCKWISE);
   if (rotation_deg_ == 180) cv::rotate(rgb, rgb, cv::ROTATE_180);
   if (rotation_deg_ == 270) cv::rotate(rgb, rgb, cv::ROTATE_90_COUNTERCLOCKWISE);

@@ -205,6 +205,36 @@ TEST(PointCsv, RowsThatAreMissingLeaveTheOthersWhereTheyWere) {
   }
 }
 
+// As Excel leaves them: they have no time, and the rate of the others stays.
+TEST(PointCsv, EmptyRowsAreNoFramesAndAreCounted) {
+  const std::string written = clip_csv(two_clips());
+  const std::string empty(
+      static_cast<std::size_t>(std::count(
+          written.begin(), written.begin() + static_cast<std::ptrdiff_t>(written.find('\n')), ',')),
+      ',');
+  const auto motions = read(written + empty + "\n" + empty + "\r\n");
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions[0].frames.size(), 7U);
+  EXPECT_NEAR(*motions[0].fps, 59.94, 1e-6);
+  EXPECT_THAT(the_warning(motions[0], "empty-rows").text, HasSubstr("2 empty rows were left out"));
+}
+
+TEST(PointCsv, WithoutTimesAnEmptyRowBetweenOthersIsAFrameInWhichNobodyWasSeen) {
+  const auto columns = [](int frame) {
+    std::string row;
+    for (int point = 0; point < 8; ++point)
+      for (int axis = 0; axis < 3; ++axis)
+        row += (row.empty() ? "" : ",") +
+               (frame < 0 ? "p" + std::to_string(point) + "_" + "xyz"[axis] : std::to_string(frame));
+    return row + "\n";
+  };
+  const std::string empty = std::string(23, ',') + "\n";
+  const auto motions = read(columns(-1) + columns(1) + empty + columns(2) + empty);
+  ASSERT_EQ(motions[0].frames.size(), 3U);
+  EXPECT_TRUE(std::isnan(motions[0].frames[1](0, 0)));
+  EXPECT_EQ(motions[0].frames[2](7, 2), 2);
+}
+
 TEST(PointCsv, RoundedTimesDoNotJump) {
   for (const double rate : {75.0, 90.0, 120.0, 29.97})
     for (const int digits : {2, 3, 6}) {

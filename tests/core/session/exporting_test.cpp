@@ -311,7 +311,7 @@ TEST_F(Exporting, WhatDoesNotFitTogetherIsRefused) {
   motion.bodies = {SessionBody::User, SessionBody::User};
   EXPECT_THAT(refusal(motion), HasSubstr("twice"));
   EXPECT_THAT(refusal(wish(ExportContent::Mesh, "a.bvh")), HasSubstr("use .vtu or .pvd"));
-  EXPECT_THAT(refusal(wish(ExportContent::Labels, "a.txt")), HasSubstr(".vtt or .srt"));
+  EXPECT_THAT(refusal(wish(ExportContent::Labels, "a.doc")), HasSubstr(".TextGrid or .txt"));
   ExportWish metres = wish(ExportContent::Motion, "a.glb");
   metres.space.units_per_metre = 100;
   EXPECT_THAT(refusal(metres), HasSubstr("metres with Y up"));

@@ -320,6 +320,10 @@ TEST(NatNetMessages, OtherProtocolsAndCutPacketsAreNamed) {
   listener.pass_time(0);  // asks who is there
   listener.take(server_info({2, 10}));
   EXPECT_TRUE(listener.has_issue("old-version"));
+  listener.forget();
+  listener.take(frame_packet(frame_of({}), v41));
+  EXPECT_TRUE(listener.has_issue("old-version")) << "why its frames cannot be read: " << listener.issues();
+  EXPECT_FALSE(listener.has_issue("no-version"));
 }
 
 TEST(NatNetMessages, AGroupIsFourNumbersFrom0To255) {

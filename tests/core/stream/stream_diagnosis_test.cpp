@@ -134,8 +134,12 @@ TEST(StreamDiagnosis, TheRightProtocolWithoutBonesSaysWhatToSwitchOn) {
     seen.last_frame_s = -1;
     EXPECT_THAT(texts(seen),
                 AllOf(HasSubstr("no-bones"), HasSubstr(advice), Not(HasSubstr("newest problem"))));
-    seen.latest_issue = "a bone without a name";
+    seen.latest_issue.text = "a bone without a name";
     EXPECT_THAT(texts(seen), HasSubstr(". The newest problem: a bone without a name\n"));
+    seen.latest_issue = {"missing-bones", "127.0.0.1:5: bones come, but no legs"};
+    EXPECT_THAT(texts(seen),
+                AllOf(HasSubstr("no-bones: 127.0.0.1:5: bones come, but no legs\n"), Not(HasSubstr(advice))))
+        << "the cause is known";
   }
 }
 
@@ -152,6 +156,11 @@ TEST(StreamDiagnosis, SeesWhatIsWrongWithTheNetwork) {
   using P = PerformerObservation;
   EXPECT_THAT(when([](S& s, P&) { s.recent_senders.emplace_back("10.0.0.2:5"); }),
               HasSubstr("two-senders: 2 senders"));
+  EXPECT_THAT(when([](S& s, P&) {
+                s.recent_senders = {"10.0.0.2:5", "10.0.0.2:6"};
+              }),
+              HasSubstr("receive with the option split=port"))
+      << "one program that takes a new socket for each packet";
   EXPECT_THAT(when([](S& s, P&) {
                 s.uri.scheme = StreamUri::Scheme::NatNet;
                 s.recent_senders = {"10.0.0.2:1510", "10.0.0.2:1511"};
@@ -176,7 +185,9 @@ TEST(StreamDiagnosis, SeesWhatIsWrongWithTheSender) {
   using P = PerformerObservation;
   EXPECT_THAT(when([](S&, P& p) { p.frozen_s = 3; }),
               HasSubstr("frozen: frames come but the pose has not changed for 3.0 s"));
-  EXPECT_THAT(when([](S&, P& p) { p.clock_still_s = 3; }), HasSubstr("frozen-clock"));
+  EXPECT_THAT(when([](S&, P& p) { p.clock_doubt = SenderClock::Doubt::Stands; }), HasSubstr("frozen-clock"));
+  EXPECT_THAT(when([](S&, P& p) { p.clock_doubt = SenderClock::Doubt::Coarse; }), HasSubstr("coarse-clock"));
+  EXPECT_THAT(when([](S&, P& p) { p.clock_doubt = SenderClock::Doubt::Jumps; }), HasSubstr("unsteady-clock"));
   EXPECT_THAT(when([](S&, P& p) { p.last_clock_jump_s = 58; }),
               HasSubstr("clock-jump: the sender's clock jumped 2.0 s ago"));
   EXPECT_THAT(when([](S&, P& p) { p.last_clock_jump_s = 40; }), IsEmpty()) << "long ago";

@@ -252,6 +252,25 @@ TEST(StreamPipeline, ADelayMakesThePaceEven) {
   }
 }
 
+// T = 0 in every packet.
+TEST(StreamPipeline, WithoutAUsableSenderTimeArrivalIsTheTime) {
+  PlainLine line;
+  PoseReader reader("");
+  std::vector<double> times;
+  for (int i = 0; i < 240; ++i) {
+    line.now_s = i / 60.0;
+    Pose pose = test::standing_pose();
+    pose.col(0).array() += 1e-4 * i;
+    line.send({"Ana", {}, 0.0, pose});
+    if (const auto got = reader.poll(line.pipeline, line.now_s)) times.push_back(got->time_s);
+  }
+  ASSERT_EQ(times.size(), 240U);
+  for (std::size_t i = 1; i < times.size(); ++i) EXPECT_NEAR(times[i] - times[i - 1], 1 / 60.0, 1e-9) << i;
+  const PerformerHealth performer = line.pipeline.health(line.now_s).performers.front();
+  EXPECT_FALSE(performer.uses_sender_time);
+  EXPECT_EQ(performer.clock_jumps, 0U);
+}
+
 TEST(StreamPipeline, ThinsEvenly) {
   PlainLine line;
   PoseReader reader("");

@@ -177,6 +177,45 @@ TEST(SenderClock, AClockThatStoodStillStaysBehind) {
   EXPECT_NEAR(*clock.session_time(3.0), 3.5, 1e-9);
 }
 
+// Seconds since 1970, or since a computer was started some days ago, in a 32-bit float.
+TEST(SenderClock, ATimeTooCoarseForItsFramesIsInDoubt) {
+  for (const double since_s : {1.7e9, 3.0 * 24 * 3600}) {
+    SenderClock clock;
+    for (int i = 0; i < 300; ++i) {
+      EXPECT_FALSE(clock.take(static_cast<float>(since_s + i / 60.0), i / 60.0));
+      EXPECT_EQ(clock.doubt(), SenderClock::Doubt::Coarse);
+      EXPECT_FALSE(clock.session_time(since_s));
+    }
+  }
+  SenderClock hours;
+  for (int i = 0; i < 300; ++i) EXPECT_FALSE(hours.take(static_cast<float>(8 * 3600 + i / 60.0), i / 60.0));
+  EXPECT_EQ(hours.doubt(), SenderClock::Doubt::None) << "steps of 2 ms";
+}
+
+TEST(SenderClock, ATimeThatStandsIsInDoubtAndProvesItselfAnew) {
+  SenderClock clock;
+  for (int i = 0; i < 300; ++i)
+    EXPECT_FALSE(clock.take(0, i / 60.0)) << "no jump of a clock that is not used";
+  EXPECT_EQ(clock.doubt(), SenderClock::Doubt::Stands);
+  double used_from_s = 0;
+  for (int i = 301; i < 600; ++i) {
+    clock.take(100 + i / 60.0 + 0.0001, i / 60.0);
+    if (used_from_s == 0 && clock.doubt() == SenderClock::Doubt::None) used_from_s = i / 60.0;
+  }
+  EXPECT_NEAR(used_from_s - 299 / 60.0, SenderClock::proof_s, 0.02);
+}
+
+// Milliseconds, or a count of frames, in place of seconds.
+TEST(SenderClock, ATimeThatDoesNotCountSecondsIsInDoubt) {
+  for (const double factor : {1000.0, 60.0, 0.5}) {
+    SenderClock clock;
+    int jumps = 0;
+    for (int i = 0; i < 1200; ++i) jumps += clock.take(factor * (7.003 + i / 60.0), i / 60.0) ? 1 : 0;
+    EXPECT_EQ(clock.doubt(), SenderClock::Doubt::Jumps) << factor;
+    EXPECT_LE(jumps, SenderClock::most_jumps) << factor;
+  }
+}
+
 JitterBuffer::Entry entry(double number, double sent_s) {
   JitterBuffer::Entry made;
   made.place = {0, number, static_cast<std::uint64_t>(number)};

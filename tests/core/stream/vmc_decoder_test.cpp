@@ -309,7 +309,15 @@ TEST(VmcDecoder, GivesNoPoseWithoutTheBonesThatEveryHumanoidHas) {
   Receiver receiver;
   receiver.take(as_slimevr(pose, 1), 1);
   EXPECT_THAT(receiver.out.frames, IsEmpty());
-  EXPECT_THAT(receiver.text("missing-bones"), HasSubstr("no pose without Hips, LeftFoot"));
+  EXPECT_THAT(receiver.text("missing-bones"), HasSubstr(": no pose without Hips, LeftFoot"));
+  pose = t_pose();
+  std::erase_if(pose, [](const auto& bone) {
+    return bone.first.find("Leg") != std::string::npos || bone.first.find("Foot") != std::string::npos ||
+           bone.first.find("Toes") != std::string::npos;
+  });
+  receiver.take(as_slimevr(pose, 2), 2);
+  EXPECT_THAT(receiver.text("missing-bones"),
+              HasSubstr(": bones come, but no legs: no pose without LeftUpperLeg, "));
 }
 
 TEST(VmcDecoder, TakesEverySenderForAPerformer) {

@@ -37,6 +37,19 @@ TEST(VmcFraming, ClosesAtANewTimeThatComesLast) {
   EXPECT_FALSE(framing.is_open());
 }
 
+TEST(VmcFraming, TellsATimeBetweenTheBonesOfAFrame) {
+  VmcFraming inside, last, first;
+  for (int frame = 0; frame < 12; ++frame) {
+    const double at_s = 1 + frame / 60.0, time = 5 + frame / 60.0;
+    inside.bone(Hips, at_s), inside.time(time, at_s), inside.bone(Spine, at_s);
+    last.bone(Hips, at_s), last.bone(Spine, at_s), last.time(time, at_s);
+    first.time(time, at_s), first.bone(Hips, at_s), first.bone(Spine, at_s);
+  }
+  EXPECT_TRUE(inside.is_time_inside());
+  EXPECT_FALSE(last.is_time_inside());
+  EXPECT_FALSE(first.is_time_inside());
+}
+
 TEST(VmcFraming, DoesNotCloseAtATimeThatStands) {
   VmcFraming framing;
   EXPECT_FALSE(framing.time(5.5, 1));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/stream/receive/stream_pipeline.hpp"
 #include "core/stream/xsens/xsens_character.hpp"
 #include "core/stream/xsens/xsens_encoder.hpp"
 #include "core/stream/xsens/xsens_packet.hpp"
@@ -309,7 +310,25 @@ TEST(XsensCharacters, ANameThatComesLaterDoesNotMakeAnotherPerformer) {
   listener.take(packet_of(12, meta));
   listener.take(packet(sample(2)));
   EXPECT_EQ(listener.out.frames.back().performer, "character 1");
+  EXPECT_EQ(listener.out.frames.back().also_called, "Ana");
   EXPECT_TRUE(listener.has_fact("character 1 (Ana)"));
+}
+
+TEST(XsensCharacters, WhoeverIsWantedByANameThatComesLaterIsFollowed) {
+  const StreamUri uri = *parse_stream_uri("xsens://0.0.0.0:9763?performer=Ana");
+  StreamPipeline pipeline(std::move(*make_xsens_decoder(uri)), uri, *performer_options(uri, {}), 0);
+  StreamPipeline::Output output;
+  const auto take = [&](const std::vector<std::uint8_t>& bytes, double at_s) {
+    pipeline.take(Datagram{{}, at_s, bytes}, at_s, output);
+  };
+  take(packet(sample(1)), 0.01);
+  EXPECT_EQ(pipeline.find("Ana"), nullptr);
+  ByteWriter meta(ByteOrder::Big);
+  write_xsens_meta(meta, {"Ana"});
+  take(packet_of(12, meta), 0.015);
+  take(packet(sample(2)), 0.02);
+  ASSERT_NE(pipeline.find("Ana"), nullptr);
+  EXPECT_EQ(pipeline.find("Ana"), pipeline.find("character 1"));
 }
 
 TEST(XsensScale, GivesTheEndsOfLimbs) {

@@ -1,6 +1,8 @@
 #include "tests/core/video/coded_video.hpp"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
@@ -103,18 +105,17 @@ std::uint32_t even_duration(const std::filesystem::path& file) {
   return get(bytes, box(bytes, "stts") + 20);
 }
 
-void set_rotation(const std::filesystem::path& file, int degrees) {
+void set_rotation(const std::filesystem::path& file, double degrees, bool is_mirrored) {
   std::string bytes = read(file);
   const std::size_t at = box(bytes, "tkhd") + 8 + 40;  // version 0: the matrix follows 40 bytes of header
-  constexpr std::uint32_t one = 0x10000, minus = 0xffff0000;
-  const std::array<std::uint32_t, 4> turn = degrees == 90 ? std::array<std::uint32_t, 4>{0, one, minus, 0}
-                                            : degrees == 180
-                                                ? std::array<std::uint32_t, 4>{minus, 0, 0, minus}
-                                                : std::array<std::uint32_t, 4>{0, minus, one, 0};
-  put(bytes, at, turn[0]);
-  put(bytes, at + 4, turn[1]);
-  put(bytes, at + 12, turn[2]);
-  put(bytes, at + 16, turn[3]);
+  const auto fixed_point = [](double value) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(value * 65536)));
+  };
+  const double turn = degrees * std::numbers::pi / 180, side = is_mirrored ? -1 : 1;
+  put(bytes, at, fixed_point(side * std::cos(turn)));
+  put(bytes, at + 4, fixed_point(side * std::sin(turn)));
+  put(bytes, at + 12, fixed_point(-std::sin(turn)));
+  put(bytes, at + 16, fixed_point(std::cos(turn)));
   if (!write_whole_file(file, bytes)) throw std::runtime_error("not written");
 }
 

@@ -24,8 +24,8 @@ bool write_coded_video(const std::filesystem::path& file, const std::string& fou
 /// Each picture is shown so many ticks (of `fps` x `ticks`); (pictures, ticks) one after the other.
 void set_durations(const std::filesystem::path& file,
                    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& runs);
-/// The matrix that says how far it has to be turned clockwise: 90, 180 or 270.
-void set_rotation(const std::filesystem::path& file, int degrees);
+/// The matrix that says how far it has to be turned clockwise, after it was mirrored left to right if so.
+void set_rotation(const std::filesystem::path& file, double degrees, bool is_mirrored = false);
 /// The number of ticks a picture is shown for while all are alike.
 std::uint32_t even_duration(const std::filesystem::path& file);
 

@@ -150,6 +150,37 @@ TEST_F(VideoFile, ThatSaysItIsTurnedIsShownUpright) {
   }
 }
 
+// As the front camera of a phone writes it.
+TEST_F(VideoFile, ThatSaysItIsMirroredIsShownAsItIsMeant) {
+  for (const int degrees : {0, 90}) {
+    cv::Mat meant = coded_picture(6, {320, 240}), coded;
+    if (degrees == 90) cv::rotate(meant, meant, cv::ROTATE_90_COUNTERCLOCKWISE);
+    cv::flip(meant, coded, 1);
+    const fs::path file = at("mirrored" + std::to_string(degrees) + ".mp4");
+    auto writer = VideoWriter::open(file, coded.cols, coded.rows, 25);
+    ASSERT_TRUE(writer);
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer->add({coded.data, coded.total() * 3}, coded.step));
+    ASSERT_TRUE(writer->finish());
+    set_rotation(file, degrees, true);
+    auto reader = VideoReader::open(file, {});
+    ASSERT_TRUE(reader) << reader.error().text();
+    EXPECT_TRUE(reader->facts().is_mirrored);
+    EXPECT_EQ(reader->facts().rotation_deg, degrees);
+    EXPECT_EQ(code_of(**reader->frame(1)), 6) << degrees;
+    EXPECT_EQ(code_of(**reader->frame(0)), 6) << "after it began anew";
+  }
+}
+
+TEST_F(VideoFile, ThatSaysItIsTurnedByNoQuarterIsShownAsCodedAndThatIsSaid) {
+  ASSERT_TRUE(write_coded_video(at("a.mp4"), "mp4v", 3, 25));
+  set_rotation(at("a.mp4"), 45);
+  auto reader = VideoReader::open(at("a.mp4"), {});
+  ASSERT_TRUE(reader) << reader.error().text();
+  EXPECT_EQ(reader->facts().rotation_deg, 0);
+  EXPECT_THAT(reader->facts().warnings, Contains(HasSubstr("turns the pictures by 45 degrees")));
+  EXPECT_EQ(code_of(**reader->frame(1)), 1);
+}
+
 TEST_F(VideoFile, ThatIsCutOffHasThePicturesThatAreThereAndSaysSo) {
   ASSERT_TRUE(write_coded_video(at("a.avi"), "MJPG", 100, 25));
   fs::resize_file(at("a.avi"), fs::file_size(at("a.avi")) * 6 / 10);

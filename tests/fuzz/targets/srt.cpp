@@ -1,5 +1,0 @@
-#include "tests/fuzz/tier_checks.hpp"
-
-ABRAZO_FUZZ_TARGET(srt)(abrazo::fuzz::Bytes bytes) {
-  abrazo::fuzz::expect_tiers(bytes, "input.srt");
-}
