@@ -1,6 +1,7 @@
 """docs/figures.md out of what was measured. No side effects, and no measure of its own: every figure is a key of a JSON file."""
 
 import hashlib
+import re
 
 import table
 
@@ -183,12 +184,25 @@ def linear_systems(bench):
 def nearest_poses(bench):
     rows = [row for row in bench.compared("Nearest poses") if row["what"].startswith("10 of ")]
     text = ("The k nearest of all poses of the library, exactly, by FLANN (what libraries in memory use).\n\n" + ratio_rows(rows))
-    queries = [row["what"].removesuffix(": p50") for row in bench.group("Nearest poses") if row["what"].endswith("cm off: p50")]
+    queries = {}  # "10 of 7 500, 0 cm off" -> names of searches
+    for row in bench.group("Nearest poses"):
+        if row["what"].endswith("cm off: p50"):
+            search, query = row["what"].removesuffix(": p50").split(", 10 of ")
+            queries.setdefault("10 of " + query, set()).add(search)
     if queries:
-        text += ("\nUsers with offsets on every coordinate, p50 / p99 in microseconds:\n\n"
-                 + rows_of(["", "p50", "p99"], [[what, number(bench.figure(f"{what}: p50")), number(bench.figure(f"{what}: p99"))]
-                                                for what in queries]))
+        searches = sorted(set.union(*queries.values()))
+        text += ("\nUsers with offsets on every coordinate, p50/p99 in microseconds:\n\n"
+                 + rows_of(["", *searches], [[query, *(spread(bench, f"{search}, {query}") for search in searches)]
+                                             for query in sorted(queries, key=by_number)]))
     return text
+
+
+def by_number(text):
+    return [int(digits.replace(" ", "")) for digits in re.findall(r"\d[\d ]*", text)]
+
+
+def spread(bench, what):
+    return "/".join(number(bench.figure(f"{what}: {percentile}")) for percentile in ("p50", "p99"))
 
 
 def tetrahedra_and_library(bench):
