@@ -180,7 +180,7 @@ Result<TierDocument> GridReader::document() {
 
 // ---- writing ----
 
-std::string quoted(std::string_view text) {
+std::string grid_text(std::string_view text) {
   std::string in_quotes = "\"";
   for (const char c : text) in_quotes += c == '"' ? std::string("\"\"") : std::string(1, c);
   return in_quotes + '"';
@@ -245,12 +245,12 @@ TierText text_grid(std::span<const Tier> tiers) {
   for (std::size_t t = 0; t < tiers.size(); ++t) {
     const auto intervals = without_gaps(tiers[t], from_s, to_s);
     written.text += fmt::format("    item [{}]:\n        class = \"IntervalTier\"\n        name = {}\n{}",
-                                t + 1, quoted(tiers[t].name), span(8, from_s, to_s));
+                                t + 1, grid_text(tiers[t].name), span(8, from_s, to_s));
     written.text += fmt::format("        intervals: size = {}\n", intervals.size());
     for (std::size_t i = 0; i < intervals.size(); ++i)
       written.text +=
           fmt::format("        intervals [{}]:\n{}            text = {}\n", i + 1,
-                      span(12, intervals[i].start_s, intervals[i].end_s), quoted(intervals[i].value));
+                      span(12, intervals[i].start_s, intervals[i].end_s), grid_text(intervals[i].value));
   }
   count_what_has_no_place(tiers, written.warnings);
   return written;

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/base/limits.hpp"
 #include "core/base/json_text.hpp"
+#include "core/base/limits.hpp"
 
 namespace abrazo {
 

@@ -242,6 +242,9 @@ Result<SessionFacts> read_facts(SessionDatabase& database) {
   std::vector<std::string> damage;
   facts.contents = read_contents(database, damage);
   if (!facts.is_being_recorded) facts.recovery = recovery_of(facts.contents);
+  if (database.lacks_log() && !facts.recovery.empty())
+    facts.recovery.insert(facts.recovery.begin(), "its log '" + log_name(database) +
+                                                      "' is not beside it; copy that too, if this is a copy");
   if (database.is_salvage())
     facts.recovery.insert(facts.recovery.begin(),
                           "the file is damaged or cut short; what can still be read is shown");

@@ -1,10 +1,14 @@
 #include "core/session/file/session_database.hpp"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -41,6 +45,12 @@ Error error_of(int code, const char* detail, const std::string& path) {
     case DatabaseFault::Full:
       return {"the disk is full; free some space, or record to another disk", path};
     case DatabaseFault::Busy:
+      if (const auto able = abilities_of_folder_with(path); able && !able->locks)
+        return {
+            "the disk that the file is on locks no files (is it a network drive?), so that it can only be "
+            "read "
+            "there; copy it to a local disk, or have locks switched on for the drive",
+            path};
       return {"another program or window is recording into this file; close it there, or choose another name",
               path};
     case DatabaseFault::Damaged:
@@ -65,10 +75,32 @@ Error error_of(int code, const char* detail, const std::string& path) {
 
 }  // namespace
 
+std::optional<FolderAbilities> abilities_of_folder_with(const std::string& path) {
+  std::string name = path + ".XXXXXX";
+  const int file = ::mkostemp(name.data(), O_CLOEXEC);
+  if (file < 0) return std::nullopt;
+  FolderAbilities able;
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_len = 1;
+  able.locks = ::fcntl(file, F_SETLK, &lock) == 0;
+  constexpr std::size_t bytes = 32768;  // of the index of SQLite's log
+  void* const mapped = ::ftruncate(file, bytes) == 0
+                           ? ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
+                           : MAP_FAILED;
+  able.shares_memory = mapped != MAP_FAILED;
+  if (able.shares_memory) ::munmap(mapped, bytes);
+  ::close(file);
+  ::unlink(name.c_str());
+  return able;
+}
+
 struct SessionDatabase::Handle {
   std::string path;
   sqlite3* database = nullptr;
   bool is_salvage = false;
+  bool lacks_log = false;
   ~Handle() {
     // Statements hold a database until they are gone themselves.
     sqlite3_close_v2(database);
@@ -215,6 +247,16 @@ Status check_files(const std::string& path) {
   return Done{};
 }
 
+/// Whether the file says that it has a log beside it (bytes 18 and 19 of the database header, 2: WAL), and
+/// there is none.
+bool was_copied_without_log(const std::string& path) {
+  std::array<char, 20> head{};
+  std::ifstream file(path, std::ios::binary);
+  std::error_code failure;
+  return file.read(head.data(), head.size()) && head[18] == 2 && head[19] == 2 &&
+         !std::filesystem::exists(log_of_session(path), failure);
+}
+
 /// A journal that SQLite finds beside a database may name another one, which it then deletes. Journals of
 /// session files never do.
 Status check_journal(const std::string& path) {
@@ -274,6 +316,7 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
     if (const Status made = make_database_file(path); !made) return made.error();
   auto handle = std::make_unique<Handle>();
   handle->path = path;
+  handle->lacks_log = was_copied_without_log(path);  // SQLite makes an empty one
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
   if (access == Access::Frozen)
     flags |= SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
@@ -305,6 +348,10 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
 
 const std::string& SessionDatabase::path() const {
   return handle_->path;
+}
+
+bool SessionDatabase::lacks_log() const {
+  return handle_->lacks_log;
 }
 
 bool SessionDatabase::is_salvage() const {

@@ -16,6 +16,19 @@ namespace abrazo {
 /// Kinds of errors that callers distinguish.
 enum class DatabaseFault { Other, Full, Busy, Damaged, NotADatabase, CannotWrite };
 
+/// What the file system of a file's folder can do; network drives may lack either.
+struct FolderAbilities {
+  bool locks = false;          ///< of files, against two writers
+  bool shares_memory = false;  ///< a mapping of a file for several programs, which SQLite's log needs
+};
+/// Tried with a file that is made in the folder and removed. None if none can be made.
+std::optional<FolderAbilities> abilities_of_folder_with(const std::string& path);
+
+/// The write-ahead log beside a session file.
+inline std::string log_of_session(const std::string& path) {
+  return path + "-wal";
+}
+
 /// A prepared statement. Parameters and columns count from 0. Used by one thread at a time, and not longer
 /// than its database.
 class SessionStatement {
@@ -78,6 +91,8 @@ class SessionDatabase {
 
   const std::string& path() const;
   bool is_salvage() const;  ///< opened with Salvage
+  /// Whether the log that the file had was not beside it when it was opened: it was copied alone.
+  bool lacks_log() const;
   /// Statements without parameters or rows, separated by ";".
   Status execute(const std::string& sql);
   Result<SessionStatement> prepare(std::string_view sql);

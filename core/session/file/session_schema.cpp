@@ -119,6 +119,21 @@ Result<bool> is_empty_database(SessionDatabase& database) {
   return objects->value_or(0) == 0 && id->value_or(0) == 0;
 }
 
+std::string log_name(const SessionDatabase& database) {
+  return std::filesystem::path(log_of_session(database.path())).filename().string();
+}
+
+namespace {
+
+/// Where nothing can be locked, nothing else is either: a file without a log beside it is whole.
+bool can_be_read_without_locks(const std::string& path) {
+  const auto able = abilities_of_folder_with(path);
+  std::error_code failure;
+  return (!able || !able->locks) && !std::filesystem::exists(log_of_session(path), failure);
+}
+
+}  // namespace
+
 Status create_session_schema(SessionDatabase& database) {
   return database.execute("PRAGMA application_id = " + std::to_string(session_application_id) +
                           "; PRAGMA user_version = " + std::to_string(session_schema_version) + ";" + tables +
@@ -131,7 +146,11 @@ Status check_session_schema(SessionDatabase& database) {
   if (!id) return id.error();
   if (id->value_or(0) != session_application_id) {
     const auto empty = is_empty_database(database);
-    if (empty && *empty) return Error{"the file is empty: nothing was recorded into it", database.path()};
+    if (empty && *empty)
+      return Error{database.lacks_log() ? "the file is empty, and its log '" + log_name(database) +
+                                              "' is not beside it; copy that too, if this is a copy"
+                                        : "the file is empty: nothing was recorded into it",
+                   database.path()};
     return Error{"this is another program's SQLite database, not a session file; it was not touched",
                  database.path()};
   }
@@ -160,7 +179,11 @@ Result<SessionDatabase> open_session_database(const std::string& path) {
   if (!database) return database.error();
   Status ours = check_session_schema(*database);
   const DatabaseFault fault = database->fault();
-  if (!ours && (fault == DatabaseFault::CannotWrite || fault == DatabaseFault::Damaged)) {
+  if (!ours && fault == DatabaseFault::Busy && can_be_read_without_locks(path)) {
+    database = SessionDatabase::open(path, SessionDatabase::Access::Frozen);
+    if (!database) return database.error();
+    ours = check_session_schema(*database);
+  } else if (!ours && (fault == DatabaseFault::CannotWrite || fault == DatabaseFault::Damaged)) {
     // The log's index cannot be created in this folder, or the file is truncated.
     database = SessionDatabase::open(path, fault == DatabaseFault::Damaged ? SessionDatabase::Access::Salvage
                                                                            : SessionDatabase::Access::Frozen);

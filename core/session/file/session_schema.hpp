@@ -18,7 +18,11 @@ Status create_session_schema(SessionDatabase& database);
 /// Checks that this program can read the database as a session file; the Error says what it is instead.
 Status check_session_schema(SessionDatabase& database);
 
-/// Opens a session file for reading, with the log of a crash; the file alone if its folder is read-only.
+/// The name of its log, for messages.
+std::string log_name(const SessionDatabase& database);
+
+/// Opens a session file for reading, with the log of a crash; the file alone if its folder is read-only, or
+/// on a disk that locks no files.
 Result<SessionDatabase> open_session_database(const std::string& path);
 
 }  // namespace abrazo

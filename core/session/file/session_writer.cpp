@@ -43,12 +43,23 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::open(const std::string& pa
                                                            const RecorderOptions& options, Origin frames) {
   std::error_code failure;
   if (fs::is_directory(path, failure)) return Error{"this is a folder; name a file in it", path};
+  // Before anything is changed: a file that has become one with a log could not be read there any more.
+  if (const auto able = abilities_of_folder_with(path); able && !(able->locks && able->shares_memory))
+    return Error{std::string("cannot be recorded on this disk, which ") +
+                     (able->locks ? "shares no memory of files" : "locks no files") +
+                     " (is it a network drive?); record to a local one, and copy the session afterwards",
+                 path};
+  const bool is_new = !fs::exists(fs::symlink_status(path, failure));
   auto database = SessionDatabase::open(path, SessionDatabase::Access::Create);
   if (!database) return database.error();
   std::unique_ptr<SessionWriter> writer(new SessionWriter(std::move(*database), facts, frames));
   const Status prepared = writer->prepare_file(options);
-  if (!prepared) return prepared.error();
-  return writer;
+  if (prepared) return writer;
+  if (is_new && writer->database_.fault() != DatabaseFault::Busy) {  // or somebody else has just made it
+    writer.reset();
+    for (const char* ending : {"", "-journal", "-wal", "-shm"}) fs::remove(path + ending, failure);
+  }
+  return prepared.error();
 }
 
 Status SessionWriter::keep_fault(SessionStatement& statement) {

@@ -26,7 +26,7 @@ std::string cell(std::string text) {
   return text.size() > 400 ? text.substr(0, 400) + "..." : text;
 }
 
-/// The guide's page of broken files with their messages.
+/// The broken files with their messages.
 std::string page_of_broken_files() {
   std::string page =
       "# Broken motion files and their messages\n\n"
@@ -55,13 +55,13 @@ std::string page_of_broken_files() {
   return page;
 }
 
-TEST(BrokenMotions, GetTheMessagesThatTheGuideGives) {
-  const fs::path guide = fs::path(ABRAZO_FIXTURES).parent_path().parent_path() / "docs/guide/broken-files.md";
+TEST(BrokenMotions, GetTheMessagesOfTheirTable) {
+  const fs::path table = test::motion_fixture("broken_messages.md");
   const std::string page = page_of_broken_files();
   if (std::getenv("ABRAZO_UPDATE_GOLDEN")) {
-    ASSERT_TRUE(write_whole_file(guide, page));
+    ASSERT_TRUE(write_whole_file(table, page));
   }
-  EXPECT_EQ(page, read_whole_file(guide).value());
+  EXPECT_EQ(page, read_whole_file(table).value());
 }
 
 TEST(BrokenMotions, AreAllRefusedOrReadWithAWarning) {
