@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/text.hpp"
+#include "core/motion/tables/table_line.hpp"
 
 namespace abrazo {
 
 namespace {
 
 constexpr std::size_t most_fields = 64;
-constexpr std::string_view separators = ",;\t";  ///< the first of equals
 
 /// Whether a spreadsheet would take the text for a formula, or would after one apostrophe is taken away.
 bool begins_like_a_formula(std::string_view text) {
@@ -36,8 +35,6 @@ class CsvReader {
     return {std::move(message), fmt::format("{}:{}", where_, line)};
   }
 
-  void find_separator();
-
   std::string_view text_;
   std::string_view where_;
   char separator_ = ',';
@@ -53,28 +50,6 @@ bool has_decimal_comma(std::string_view field) {
   };
   return comma != std::string_view::npos && are_digits(field.substr(field.starts_with('-') ? 1 : 0, comma)) &&
          are_digits(field.substr(comma + 1));
-}
-
-/// As the file says it ("sep=;", of Excel), else the one of which the first line has most outside quotes.
-void CsvReader::find_separator() {
-  const std::string_view rest = text_.substr(at_);
-  constexpr std::string_view said = "sep=";
-  if (rest.starts_with(said) && rest.find_first_of("\r\n") == said.size() + 1) {
-    separator_ = rest[said.size()];
-    at_ += said.size() + 1;
-    return skip_line_end();
-  }
-  const std::size_t first = rest.find_first_not_of("\r\n");
-  if (first == std::string_view::npos) return;
-  std::array<std::size_t, separators.size()> counts{};
-  bool is_quoted = false;
-  for (const char c : rest.substr(first)) {
-    if (!is_quoted && (c == '\n' || c == '\r')) break;
-    if (c == '"') is_quoted = !is_quoted;
-    if (const std::size_t which = separators.find(c); !is_quoted && which != std::string_view::npos)
-      ++counts[which];
-  }
-  separator_ = separators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
 }
 
 void CsvReader::skip_line_end() {
@@ -125,7 +100,9 @@ Status CsvReader::read_field(CsvRow& row) {
 Result<std::vector<CsvRow>> CsvReader::rows() {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
-  find_separator();
+  const TableSeparator found = separator_of_table(text_.substr(at_), ',');
+  separator_ = found.separator;
+  if (found.stated_length > 0) at_ += found.stated_length, ++line_;
   std::vector<CsvRow> rows;
   while (!at_end()) {
     CsvRow row{line_, {}};

@@ -9,6 +9,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/takes/csv_text.hpp"
+#include "core/motion/tables/table_line.hpp"
 
 namespace abrazo {
 
@@ -23,25 +24,16 @@ constexpr double rounding_s = 0.0015;  ///< of two times in whole milliseconds
 
 // ---- times ----
 
-enum class TimeForm { Clock, Seconds, Milliseconds, Smpte };
-
-/// A number whose decimal point may be a comma.
-std::optional<double> number_of(std::string_view word) {
-  const std::size_t comma = word.find(',');
-  if (comma == std::string_view::npos) return parse_number(word);
-  std::string with_point(word);
-  with_point[comma] = '.';
-  return parse_number(with_point);
-}
+enum class TimeForm { Clock, Seconds, Thousandths, Smpte };
 
 /// "00:01:02.340", "62.34", "62340" or "00:01:02:08".
 std::optional<TimeForm> form_of(std::string_view cell) {
   const auto colons = std::ranges::count(cell, ':');
-  if (colons == 0 && number_of(cell))
-    return cell.find_first_of(".,") == std::string_view::npos ? TimeForm::Milliseconds : TimeForm::Seconds;
+  if (colons == 0 && table_number(cell))
+    return cell.find_first_of(".,") == std::string_view::npos ? TimeForm::Thousandths : TimeForm::Seconds;
   if (colons != 2 && colons != 3) return std::nullopt;
   for (const std::string_view part : split_fields(cell, ':'))
-    if (!number_of(part)) return std::nullopt;
+    if (!table_number(part)) return std::nullopt;
   return colons == 2 ? TimeForm::Clock : TimeForm::Smpte;
 }
 
@@ -60,16 +52,16 @@ std::optional<double> seconds_of(std::string_view cell, const TimeColumn& column
   auto parts = split_fields(cell, ':');
   double frames_s = 0;
   if (*form == TimeForm::Smpte) {
-    frames_s = column.fps > 0 ? *number_of(parts.back()) / column.fps : 0;
+    frames_s = column.fps > 0 ? *table_number(parts.back()) / column.fps : 0;
     parts.pop_back();
   }
   double seconds = 0;
   for (const std::string_view part : parts) {
-    const double number = *number_of(part);
+    const double number = *table_number(part);
     if (!(number >= 0) || !std::isfinite(number)) return std::nullopt;
     seconds = 60 * seconds + number;
   }
-  return column.form == TimeForm::Milliseconds ? seconds / 1000 : seconds + frames_s;
+  return column.form == TimeForm::Thousandths ? seconds / 1000 : seconds + frames_s;
 }
 
 // ---- columns ----
@@ -100,7 +92,7 @@ TimeColumn titled_time(std::string_view title, std::size_t at) {
   const auto says = [title](std::string_view word) { return title.find(word) != std::string_view::npos; };
   if (says("ss:ff")) return {at, TimeForm::Smpte, says("pal") ? (says("50") ? 50.0 : 25.0) : 0.0};
   if (says("hh:mm:ss")) return {at, TimeForm::Clock};
-  return {at, says("ss.msec") ? TimeForm::Seconds : TimeForm::Milliseconds};
+  return {at, says("ss.msec") ? TimeForm::Seconds : TimeForm::Thousandths};
 }
 
 /// Of several forms one that is exact to the millisecond.
@@ -167,8 +159,8 @@ std::vector<std::optional<TimeForm>> forms_of(const Rows& rows, std::size_t coun
     for (std::size_t at = 0; at < forms.size(); ++at) {
       if (!forms[at]) continue;
       const auto other = form_of(cell_at(rows[r], at));
-      const bool has_a_point = other == TimeForm::Seconds && forms[at] == TimeForm::Milliseconds;
-      const bool lacks_it = other == TimeForm::Milliseconds && forms[at] == TimeForm::Seconds;
+      const bool has_a_point = other == TimeForm::Seconds && forms[at] == TimeForm::Thousandths;
+      const bool lacks_it = other == TimeForm::Thousandths && forms[at] == TimeForm::Seconds;
       if (has_a_point)
         forms[at] = TimeForm::Seconds;
       else if (other != forms[at] && !lacks_it)
@@ -240,6 +232,27 @@ std::optional<TimeBlock> time_block(const Rows& rows, std::size_t count) {
   return std::nullopt;
 }
 
+/// Where a column beside the block has times in at least half of the rows but not in all, and so was not
+/// understood: the first row without.
+std::optional<std::size_t> row_without_time(const Rows& rows, const TimeBlock& block) {
+  const auto is_time = [&](std::size_t row, std::size_t at) {
+    const auto form = form_of(cell_at(rows[row], at));
+    return form == TimeForm::Clock || form == TimeForm::Seconds;
+  };
+  for (const std::size_t at : {block.first - 1, block.first + block.width}) {  // the first may be none
+    std::size_t times = 0;
+    std::optional<std::size_t> other;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (is_time(r, at))
+        ++times;
+      else if (!other)
+        other = r;
+    }
+    if (other && 2 * times >= rows.size()) return other;
+  }
+  return std::nullopt;
+}
+
 /// The first row from which on no block of times fits all rows so far.
 std::size_t first_unlike(const Rows& rows) {
   std::size_t fits = 0, fails = rows.size();
@@ -266,8 +279,9 @@ bool names_files(const Rows& rows, std::size_t at) {
 
 Result<ElanColumns> columns_by_content(const Rows& rows, std::string_view where) {
   const auto block = time_block(rows, rows.size());
-  if (!block) {
-    const CsvRow& row = rows[first_unlike(rows)];
+  const auto without = block ? row_without_time(rows, *block) : first_unlike(rows);
+  if (without) {
+    const CsvRow& row = rows[*without];
     return error_at_line(where, row.line, std::string(elan_form) + ", found " + in_quotes(text_of(row)));
   }
   const auto forms = forms_of(rows, rows.size());
@@ -277,14 +291,19 @@ Result<ElanColumns> columns_by_content(const Rows& rows, std::string_view where)
   if (columns.begin.form == TimeForm::Smpte)
     return error_at_line(where, rows.front().line,
                          "has times in SMPTE frames of an unknown rate; export seconds or milliseconds too");
-  if (block->kinds == 2)
+  if (block->first > 0) columns.tier = 0;
+  if (block->kinds == 2 && columns.tier)  // a label track of Audacity has no tiers
     columns.warnings.push_back(
         fmt::format("has two times for each annotation and no titles: they were taken as begin and {}",
                     block->has_end ? "end" : "duration"));
   std::vector<std::size_t> behind;
-  for (std::size_t at = block->first + block->width; at < rows.front().fields.size(); ++at)
+  const auto are_times = [&](std::size_t at) {  // a duration that is not that between begin and end
+    return at + 1 < forms.size() && (forms[at] == TimeForm::Clock || forms[at] == TimeForm::Seconds);
+  };
+  std::size_t first_text = block->first + block->width;
+  while (are_times(first_text)) ++first_text;
+  for (std::size_t at = first_text; at < rows.front().fields.size(); ++at)
     if (!names_files(rows, at)) behind.push_back(at);
-  if (block->first > 0) columns.tier = 0;
   const std::size_t most = columns.tier ? 2 : 1;  // the annotation, and the description of its value
   if (behind.empty() || behind.size() > most)
     return error_at_line(where, rows.front().line,

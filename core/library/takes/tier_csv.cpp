@@ -211,7 +211,9 @@ Result<TierText> label_csv(std::span<const Tier> tiers, std::string_view where, 
 
 Result<TierText> audacity_labels(std::span<const Tier> tiers, std::string_view where) {
   const Tier* moves = tier_of_moves(tiers);
-  if (!moves) return Error{"a label track holds one tier; say which", std::string(where)};
+  for (const Tier& tier : tiers)
+    if (!moves && !tier.intervals.empty()) moves = &tier;
+  if (!moves) return Error{"has no labels to write", std::string(where)};
   TierText written;
   int remarks = 0;
   for (const TierInterval& one : moves->intervals) {

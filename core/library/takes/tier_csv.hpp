@@ -25,7 +25,7 @@ TierText tier_csv(std::span<const Tier> tiers);
 Result<TierText> label_csv(std::span<const Tier> tiers, std::string_view where, const TierWriting& writing);
 
 /// Label track of Audacity: begin and end in seconds and the value, with tabs between, of the first tier of
-/// moves or the only tier. Its name, detail and confidence have no place.
+/// moves, else the first with labels. Its name, all other tiers, detail and confidence have no place.
 Result<TierText> audacity_labels(std::span<const Tier> tiers, std::string_view where);
 
 }  // namespace abrazo

@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/point_csv_header.hpp"
+#include "core/motion/tables/table_line.hpp"
 
 namespace abrazo {
 
@@ -39,7 +40,7 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
   Result<PointCsvHeader> parsed = parse_point_csv_header(lines, where);
   if (!parsed) return parsed.error();
   PointCsvHeader& header = *parsed;
-  PointRows rows(header.columns, header.time_field, header.separator != ',');
+  PointRows rows(header.columns, header.time_field);
   std::size_t expected = 0;
   for (const PointColumn& column : header.columns)
     for (const std::size_t field : column.fields) expected = std::max(expected, field + 1);

@@ -8,6 +8,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/joints/performers.hpp"
+#include "core/motion/tables/table_line.hpp"
 
 namespace abrazo {
 
@@ -250,20 +251,12 @@ Status check_columns(PointCsvHeader& header, std::string_view where, int line) {
 
 }  // namespace
 
-std::vector<std::string_view> table_fields(std::string_view line, char separator) {
-  std::vector<std::string_view> fields = split_fields(line, separator);
-  for (std::string_view& field : fields)
-    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
-      field = trimmed(field.substr(1, field.size() - 2));
-  return fields;
-}
-
 Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_view where) {
   PointCsvHeader header;
   std::string_view line;
   Fields before;
   for (int n = 0; n < header_lines && lines.next(line); ++n) {
-    if (trimmed(line).empty()) continue;
+    if (trimmed(line).empty() || (n == 0 && separator_of_table(line, ',').stated_length > 0)) continue;
     header.separator = table_separator(line, ',');
     const Fields fields = table_fields(line, header.separator);
     if (n == 0 && lower_case(fields[0]) == "format version") {

@@ -24,7 +24,4 @@ struct PointCsvHeader {
 /// Reads up to the line above the first numbers. @return an Error if no line names x, y and z of points
 Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_view where);
 
-/// The fields of a line, without quotes around them.
-std::vector<std::string_view> table_fields(std::string_view line, char separator);
-
 }  // namespace abrazo

@@ -7,33 +7,25 @@
 
 #include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
+#include "core/motion/tables/table_line.hpp"
 
 namespace abrazo {
 
 namespace {
 constexpr int exact_digits = 9;  ///< times with this number of digits are not rounded
-}
 
-PointRows::PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field,
-                     bool decimal_commas)
-    : columns_(std::move(columns)), time_field_(time_field), decimal_commas_(decimal_commas) {}
-
-std::optional<double> PointRows::number(std::string_view field) const {
+/// Not a number where nothing was seen; none for a word.
+std::optional<double> coordinate(std::string_view field) {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-  if (field.size() > 1 && field.front() == '"' && field.back() == '"')
-    field = field.substr(1, field.size() - 2);
   if (field.empty()) return missing;
-  std::optional<double> value;
-  if (decimal_commas_ && field.find(',') != std::string_view::npos) {
-    std::string with_point(field.substr(0, 64));
-    std::replace(with_point.begin(), with_point.end(), ',', '.');
-    value = parse_number(with_point);
-  } else {
-    value = parse_number(field);
-  }
-  if (value && !std::isfinite(*value)) return missing;
-  return value;
+  const auto value = table_number(field);
+  return value && !std::isfinite(*value) ? missing : value;
 }
+
+}  // namespace
+
+PointRows::PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field)
+    : columns_(std::move(columns)), time_field_(time_field) {}
 
 Status PointRows::add(const std::vector<std::string_view>& fields, std::string_view where, int line) {
   Positions frame(static_cast<Eigen::Index>(columns_.size()), 3);
@@ -41,7 +33,7 @@ Status PointRows::add(const std::vector<std::string_view>& fields, std::string_v
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t field = columns_[p].fields[axis];
       const std::string_view word = field < fields.size() ? fields[field] : std::string_view();
-      const auto value = number(word);
+      const auto value = coordinate(word);
       if (!value)
         return error_at(where, line,
                         "expected a number for " + columns_[p].name + "'s " + "xyz"[axis] + " (column " +
@@ -58,7 +50,7 @@ Status PointRows::add(const std::vector<std::string_view>& fields, std::string_v
 }
 
 void PointRows::add_time(std::string_view field, int line) {
-  const auto time = number(field);
+  const auto time = coordinate(field);
   if (!time || !std::isfinite(*time)) return;
   times_.push_back(*time);
   time_lines_.push_back(line);
@@ -149,14 +141,6 @@ std::optional<double> rate_of_times(const std::vector<double>& times_s,
   // Times have at least three digits behind the point: the span is wrong by at most 1 ms.
   const double doubt = std::max(1e-6, 1e-3 / span) * fps;
   return whole >= 1 && std::abs(fps - whole) <= std::min(doubt, 5e-4 * whole) ? whole : fps;
-}
-
-char table_separator(std::string_view line, char usual) {
-  char best = usual;
-  for (const char candidate : {',', ';', '\t'})
-    if (std::count(line.begin(), line.end(), candidate) > std::count(line.begin(), line.end(), best))
-      best = candidate;
-  return best;
 }
 
 std::optional<double> metres_of_unit(std::string_view word) {

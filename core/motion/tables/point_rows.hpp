@@ -20,8 +20,7 @@ struct PointColumn {
 /// Collects rows of a table of positions (TRC, CSV) as frames. An empty field or "NaN" is a gap.
 class PointRows {
  public:
-  /// @param decimal_commas "0,5" is 0.5
-  PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field, bool decimal_commas);
+  PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field);
 
   /// @return an Error that names the point if a field is not a number
   Status add(const std::vector<std::string_view>& fields, std::string_view where, int line);
@@ -33,13 +32,11 @@ class PointRows {
   NamedMotion take(double seconds_per_time = 1.0);
 
  private:
-  std::optional<double> number(std::string_view field) const;
   void add_time(std::string_view field, int line);
   void fill_jumps(const std::vector<std::size_t>& jumps, double fps);
 
   std::vector<PointColumn> columns_;
   std::optional<std::size_t> time_field_;
-  bool decimal_commas_;
   std::vector<double> times_;
   std::vector<int> time_lines_;
   int time_digits_ = 0;  ///< maximum number of decimals
@@ -55,9 +52,6 @@ std::vector<std::size_t> time_jumps(const std::vector<double>& times_s, double r
 /// @param jumps from `time_jumps`; they are ignored
 std::optional<double> rate_of_times(const std::vector<double>& times_s,
                                     const std::vector<std::size_t>& jumps = {});
-
-/// The most frequent separator in a line: comma, semicolon or tab; `usual` if there is a tie.
-char table_separator(std::string_view line, char usual);
 
 /// "mm", "cm", "m", "in", "ft", also spelled out; none for any other word.
 std::optional<double> metres_of_unit(std::string_view word);

@@ -8,6 +8,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/point_rows.hpp"
+#include "core/motion/tables/table_line.hpp"
 
 namespace abrazo {
 
@@ -187,7 +188,7 @@ void TrcParser::settle(NamedMotion& motion) const {
 
 Result<std::vector<NamedMotion>> TrcParser::parse() {
   if (const Status header = read_header(); !header) return header.error();
-  PointRows rows(columns_, 1, separator_ != ',');
+  PointRows rows(columns_, 1);
   if (const Status read = read_rows(rows); !read) return read.error();
   if (rows.frames() == 0) return error("has no frames below its header");
   if (short_rows_ > 0)

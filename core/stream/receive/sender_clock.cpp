@@ -30,10 +30,10 @@ bool SenderClock::take(double sent_s, double arrived_s) {
 }
 
 SenderClock::Doubt SenderClock::doubt_about(double sent_s, double arrived_s, bool jumped) {
-  if (jumped) jumped_s_.push_back(arrived_s);
-  while (!jumped_s_.empty() && jumped_s_.front() < arrived_s - jumps_within_s) jumped_s_.pop_front();
   if (resolution_of(sent_s) > coarsest_s) return Doubt::Coarse;
   if (last_sent_s_ == sent_s) return Doubt::Stands;
+  if (jumped) jumped_s_.push_back(arrived_s);
+  while (!jumped_s_.empty() && jumped_s_.front() < arrived_s - jumps_within_s) jumped_s_.pop_front();
   return jumped_s_.size() > most_jumps ? Doubt::Jumps : Doubt::None;
 }
 

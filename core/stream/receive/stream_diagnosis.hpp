@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/stream/protocol/stream_decoder.hpp"
 #include "core/stream/protocol/stream_health.hpp"
 #include "core/stream/protocol/stream_uri.hpp"
 #include "core/stream/receive/sender_clock.hpp"

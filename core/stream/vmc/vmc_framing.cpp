@@ -38,7 +38,7 @@ std::optional<VmcFraming::Frame> VmcFraming::bone(int bone, double arrived_s) {
     }
   }
   if (seen_.none()) {
-    inside_ = ended_by_time_s_ && arrived_s - *ended_by_time_s_ < together_s ? inside_ + 1 : 0;
+    if (ended_by_time_s_) inside_ = arrived_s - *ended_by_time_s_ < together_s ? inside_ + 1 : 0;
     ended_by_time_s_.reset();
     first_arrived_s_ = arrived_s;
     if (frame_time_ && arrived_s - frame_time_arrived_s_ > together_s) frame_time_.reset();
@@ -65,6 +65,7 @@ std::optional<VmcFraming::Frame> VmcFraming::time(double value, double arrived_s
       return closed;
     }
   }
+  inside_ = 0;
   frame_time_ = value;
   frame_time_arrived_s_ = arrived_s;
   return closed;

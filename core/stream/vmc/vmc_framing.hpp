@@ -33,13 +33,13 @@ class VmcFraming {
 
   bool is_open() const { return seen_.any(); }
   bool is_time_first() const { return time_first_; }
-  /// Bones go on right behind the T that ended their frame, frame after frame: each frame is put together
-  /// from two of the sender's.
-  bool is_time_inside() const { return inside_ >= frames_that_tell; }
+  /// Bones went on right behind each of the last T that ended a frame: frames are put together from two of
+  /// the sender's.
+  bool is_time_inside() const { return inside_ >= times_that_tell; }
   std::uint64_t mixed() const { return mixed_; }  ///< times that (a) was deferred because bones were missing
 
  private:
-  static constexpr int frames_that_tell = 10;
+  static constexpr int times_that_tell = 3;
   Frame close();
 
   std::bitset<humanoid::bone_count> seen_, usual_;

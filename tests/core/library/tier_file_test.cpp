@@ -229,7 +229,7 @@ TEST(TierFile, WhatCannotBeWrittenIsRefused) {
   EXPECT_THAT(refusal({{"m", {{0, 1, "\xFF"}, {1, 2, "b"}}}}, "x.json"), HasSubstr("not UTF-8"))
       << "though what follows is";
   EXPECT_THAT(refusal({{"m", {{0, 1, "a\tb"}}}}, "x.txt"), HasSubstr("no tabs and line ends"));
-  EXPECT_THAT(refusal({{"m", {}}, {"n", {}}}, "x.txt"), HasSubstr("one tier; say which"));
+  EXPECT_THAT(refusal({{"m", {}}, {"n", {}}}, "x.txt"), HasSubstr("has no labels to write"));
   EXPECT_THAT(refusal({{"m", {{0, 1, "a\x01"}}}}, "x.eaf"), HasSubstr("control character"));
   EXPECT_THAT(refusal({}, "x.doc"), HasSubstr(".eaf, .csv, .json, .TextGrid, .txt"));
 }

@@ -207,7 +207,7 @@ TEST(PointCsv, RowsThatAreMissingLeaveTheOthersWhereTheyWere) {
 
 // As Excel leaves them: they have no time, and the rate of the others stays.
 TEST(PointCsv, EmptyRowsAreNoFramesAndAreCounted) {
-  const std::string written = clip_csv(two_clips());
+  const std::string written = *write_clip_csv(two_clips());
   const std::string empty(
       static_cast<std::size_t>(std::count(
           written.begin(), written.begin() + static_cast<std::ptrdiff_t>(written.find('\n')), ',')),
@@ -216,7 +216,28 @@ TEST(PointCsv, EmptyRowsAreNoFramesAndAreCounted) {
   ASSERT_EQ(motions.size(), 2U);
   EXPECT_EQ(motions[0].frames.size(), 7U);
   EXPECT_NEAR(*motions[0].fps, 59.94, 1e-6);
-  EXPECT_THAT(the_warning(motions[0], "empty-rows").text, HasSubstr("2 empty rows were left out"));
+  EXPECT_THAT(the_warning(motions[0].warnings, "empty-rows").detail, HasSubstr("2 empty rows were left out"));
+}
+
+// As Excel writes them: a line that names the separator, and in quotes what holds it.
+TEST(PointCsv, QuotedDecimalCommasAndAStatedSeparatorAreRead) {
+  const std::string written = *write_clip_csv(two_clips());
+  std::string quoted = "\"";
+  for (const char c : written)
+    quoted += c == ','    ? std::string("\",\"")
+              : c == '\n' ? std::string("\"\n\"")
+                          : std::string(1, c == '.' ? '.' : c);
+  quoted.pop_back();
+  std::string numbers = quoted.substr(quoted.find('\n'));
+  std::ranges::replace(numbers, '.', ',');
+  const auto expected = read(written);
+  const auto motions = read(quoted.substr(0, quoted.find('\n')) + numbers);
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions[1].frames, expected[1].frames);
+  EXPECT_EQ(motions[1].fps, expected[1].fps);
+  std::string semicolons = written;
+  std::ranges::replace(semicolons, ',', ';');
+  EXPECT_EQ(read("sep=;\r\n" + semicolons)[1].frames, expected[1].frames);
 }
 
 TEST(PointCsv, WithoutTimesAnEmptyRowBetweenOthersIsAFrameInWhichNobodyWasSeen) {

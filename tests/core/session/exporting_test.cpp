@@ -277,7 +277,7 @@ TEST_F(Exporting, AFullDiskLeavesNothing) {
     for (const std::string& ending : endings) {
       const auto made = source();
       rlimit small = limit;
-      small.rlim_cur = 64;
+      small.rlim_cur = 16;
       ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
       const auto done = export_session(*made, wish(content, "full" + ending));
       ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);

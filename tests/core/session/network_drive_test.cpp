@@ -12,9 +12,16 @@ namespace abrazo::network_drive_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Recorded;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+struct Recorded : test::TemporaryFolder, test::DrivenSession {
+  Recorded() {
+    keeper->recorder = *Recorder::open(path, test::session_facts());
+    run_until(0.3);
+  }
+  const std::string path = file("evening.abrazo");
+};
 
 class NetworkDrive : public testing::Test {
  protected:

@@ -45,7 +45,7 @@ std::vector<std::uint8_t> plain_packet(const PlainFrame& frame) {
 }
 
 PerformerFrame performer_frame(const PlainFrame& frame, double arrived_s) {
-  return {frame.performer, joint_points(), frame.pose, frame.counter, frame.time_s, arrived_s, arrived_s};
+  return {frame.performer, {}, joint_points(), frame.pose, frame.counter, frame.time_s, arrived_s, arrived_s};
 }
 
 void PlainDecoder::take(const Datagram& datagram, Decoded& out) {

@@ -315,8 +315,9 @@ TEST(VmcDecoder, GivesNoPoseWithoutTheBonesThatEveryHumanoidHas) {
     return bone.first.find("Leg") != std::string::npos || bone.first.find("Foot") != std::string::npos ||
            bone.first.find("Toes") != std::string::npos;
   });
-  receiver.take(as_slimevr(pose, 2), 2);
-  EXPECT_THAT(receiver.text("missing-bones"),
+  Receiver of_upper_body;
+  of_upper_body.take(as_slimevr(pose, 2), 2);
+  EXPECT_THAT(of_upper_body.text("missing-bones"),
               HasSubstr(": bones come, but no legs: no pose without LeftUpperLeg, "));
 }
 

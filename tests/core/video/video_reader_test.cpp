@@ -49,6 +49,13 @@ class VideoFile : public testing::Test {
   fs::path folder_;
 };
 
+cv::Mat rgb_of(const cv::Mat& bgr) {
+  cv::Mat rgb(bgr.size(), CV_8UC3);
+  std::array<int, 6> swap = {0, 2, 1, 1, 2, 0};
+  cv::mixChannels(&bgr, 1, &rgb, 1, swap.data(), 3);
+  return rgb;
+}
+
 void expect_exact(VideoReader& reader, const std::vector<int>& order) {
   for (const int index : order) {
     const auto frame = reader.frame(index);
@@ -132,9 +139,7 @@ TEST_F(VideoFile, ThatSaysItIsTurnedIsShownUpright) {
                      : degrees == 180 ? cv::ROTATE_180
                                       : cv::ROTATE_90_CLOCKWISE;
     cv::rotate(lying, lying, back);
-    cv::Mat rgb(lying.size(), CV_8UC3);
-    std::array<int, 6> swap = {0, 2, 1, 1, 2, 0};
-    cv::mixChannels(&lying, 1, &rgb, 1, swap.data(), 3);
+    const cv::Mat rgb = rgb_of(lying);
     const fs::path file = at("turned" + std::to_string(degrees) + ".mp4");
     auto writer = VideoWriter::open(file, rgb.cols, rgb.rows, 25);
     ASSERT_TRUE(writer);
@@ -153,9 +158,10 @@ TEST_F(VideoFile, ThatSaysItIsTurnedIsShownUpright) {
 // As the front camera of a phone writes it.
 TEST_F(VideoFile, ThatSaysItIsMirroredIsShownAsItIsMeant) {
   for (const int degrees : {0, 90}) {
-    cv::Mat meant = coded_picture(6, {320, 240}), coded;
+    cv::Mat meant = coded_picture(6, {320, 240}), mirrored;
     if (degrees == 90) cv::rotate(meant, meant, cv::ROTATE_90_COUNTERCLOCKWISE);
-    cv::flip(meant, coded, 1);
+    cv::flip(meant, mirrored, 1);
+    const cv::Mat coded = rgb_of(mirrored);
     const fs::path file = at("mirrored" + std::to_string(degrees) + ".mp4");
     auto writer = VideoWriter::open(file, coded.cols, coded.rows, 25);
     ASSERT_TRUE(writer);
