@@ -192,8 +192,19 @@ std::size_t count_senders(const StreamObservation& seen) {
 
 void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
   if (count_senders(seen) < 2) return;
-  const std::string who = std::to_string(seen.recent_senders.size()) + " senders send to this port (" +
-                          listed(seen.recent_senders) + "). ";
+  constexpr std::size_t most_named = 4;
+  const std::size_t count = seen.recent_senders.size();
+  const bool are_more = count > most_named;
+  const std::string who =
+      std::to_string(count) + " senders send to this port (" +
+      listed({seen.recent_senders.begin(),
+              seen.recent_senders.begin() + static_cast<std::ptrdiff_t>(are_more ? most_named : count)}) +
+      (are_more ? ", ...). " : "). ");
+  if (seen.uri.scheme == Scheme::Vmc && are_more && count_machines(seen) == 1)
+    return advice.add(Severity::Warning, "two-senders",
+                      who +
+                          "If it is one program that takes another port for every packet, receive with the "
+                          "option split=port; each counts as a separate performer now");
   if (seen.uri.scheme == Scheme::Vmc)
     advice.add(Severity::Warning, "two-senders",
                who + "Each counts as a separate performer; choose who plays the user. If one is left over " +

@@ -14,11 +14,13 @@ constexpr int most_put_off = 2;
 }  // namespace
 
 VmcFraming::Frame VmcFraming::close() {
-  Frame frame{frame_time_, first_arrived_s_, last_arrived_s_, static_cast<int>((usual_ & ~seen_).count())};
+  Frame frame{frame_time_ ? frame_time_ : inner_time_, first_arrived_s_, last_arrived_s_,
+              static_cast<int>((usual_ & ~seen_).count())};
   time_first_ = frame_time_.has_value();
   usual_ = seen_;
   seen_.reset();
   frame_time_.reset();
+  inner_time_.reset();
   put_off_ = 0;
   return frame;
 }
@@ -27,6 +29,8 @@ std::optional<VmcFraming::Frame> VmcFraming::bone(int bone, double arrived_s) {
   other();
   const auto b = static_cast<std::size_t>(bone);
   std::optional<Frame> closed;
+  if (last_inside_s_) inside_ = arrived_s - *last_inside_s_ < together_s ? inside_ + 1 : 0;
+  last_inside_s_.reset();
   if (seen_.test(b)) {
     const bool lacks_bones = (usual_ & ~seen_).any();
     if (lacks_bones && !put_off_in_packet_ && put_off_ < most_put_off) {
@@ -38,8 +42,6 @@ std::optional<VmcFraming::Frame> VmcFraming::bone(int bone, double arrived_s) {
     }
   }
   if (seen_.none()) {
-    if (ended_by_time_s_) inside_ = arrived_s - *ended_by_time_s_ < together_s ? inside_ + 1 : 0;
-    ended_by_time_s_.reset();
     first_arrived_s_ = arrived_s;
     if (frame_time_ && arrived_s - frame_time_arrived_s_ > together_s) frame_time_.reset();
     if (frame_time_) first_arrived_s_ = frame_time_arrived_s_;
@@ -57,10 +59,14 @@ std::optional<VmcFraming::Frame> VmcFraming::time(double value, double arrived_s
   if (is_open()) {
     if (!is_new) return closed;
     const bool began_with_time = frame_time_.has_value();
+    if (!began_with_time) last_inside_s_ = arrived_s;
+    if (!began_with_time && is_time_inside()) {
+      inner_time_ = value;
+      return closed;
+    }
     if (!began_with_time) last_arrived_s_ = arrived_s;
     closed = close();
     if (!began_with_time) {
-      ended_by_time_s_ = arrived_s;
       closed->time = value;
       return closed;
     }
@@ -89,8 +95,9 @@ std::optional<VmcFraming::Frame> VmcFraming::bundle_ends() {
 }
 
 std::optional<VmcFraming::Frame> VmcFraming::silence(double now_s) {
-  if (is_open() && now_s - last_arrived_s_ >= silence_s) return close();
-  return std::nullopt;
+  if (!is_open() || now_s - last_arrived_s_ < silence_s) return std::nullopt;
+  if (last_inside_s_) inside_ = 0;  // no bone went on behind T: it came last
+  return close();
 }
 
 }  // namespace abrazo

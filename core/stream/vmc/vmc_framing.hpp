@@ -10,8 +10,9 @@
 namespace abrazo {
 
 /// Detects the end of a frame of a VMC sender; the protocol does not define it, and senders differ. A frame
-/// ends when (a) one of its bones arrives again, (b) T arrives with a new value after bones, (c) a bundle
-/// that began with T ends, (d) nothing arrives for 8 ms. See docs/guide/live/vmc.md.
+/// ends when (a) one of its bones arrives again, (b) T arrives with a new value after bones, unless bones
+/// usually go on behind it, (c) a bundle that began with T ends, (d) nothing arrives for 8 ms. See
+/// docs/guide/live/vmc.md.
 class VmcFraming {
  public:
   struct Frame {
@@ -33,8 +34,7 @@ class VmcFraming {
 
   bool is_open() const { return seen_.any(); }
   bool is_time_first() const { return time_first_; }
-  /// Bones went on right behind each of the last T that ended a frame: frames are put together from two of
-  /// the sender's.
+  /// Bones went on right behind each of the last T: it is sent in the middle of frames, or by another timer.
   bool is_time_inside() const { return inside_ >= times_that_tell; }
   std::uint64_t mixed() const { return mixed_; }  ///< times that (a) was deferred because bones were missing
 
@@ -49,7 +49,8 @@ class VmcFraming {
   std::optional<double> last_time_;
   double first_arrived_s_ = 0, last_arrived_s_ = 0;
   bool time_first_ = false;
-  std::optional<double> ended_by_time_s_;  ///< arrival of the T that ended the frame before
+  std::optional<double> inner_time_;     ///< a T between the frame's bones
+  std::optional<double> last_inside_s_;  ///< arrival of a T behind bones, until the next bone
   int inside_ = 0;
   int put_off_ = 0;
   bool put_off_in_packet_ = false;

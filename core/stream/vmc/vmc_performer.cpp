@@ -138,11 +138,13 @@ void VmcPerformer::finish(const std::optional<VmcFraming::Frame>& frame, Decoded
              missing});
     return;
   }
-  if (framing_.is_time_inside())
+  if (framing_.is_time_inside() && frame->arrived_s - told_inside_s_ >= 1) {
+    told_inside_s_ = frame->arrived_s;
     out.issues.push_back(
         {"time-inside-frame",
-         name_ + ": T comes between the bones of a frame, so that each pose is put together from two; "
-                 "have T sent before or behind all bones"});
+         name_ + ": T comes between the bones of a frame, as from another timer; frames end at a "
+                 "bone that comes again. Have T sent before or behind all bones"});
+  }
   if (frame->held > 0)
     out.issues.push_back({"incomplete-frame", name_ + ": " + std::to_string(frame->held) +
                                                   " bones of the frame before did not come; they are held"});

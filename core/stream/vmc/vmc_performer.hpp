@@ -49,7 +49,7 @@ class VmcPerformer {
   std::string title_;
   Vec3 scale_ = Vec3::Ones();
   std::set<std::string, std::less<>> unknown_bones_;
-  double first_s_ = -1, last_s_ = -1;
+  double first_s_ = -1, last_s_ = -1, told_inside_s_ = -1;
   std::uint64_t frames_ = 0;
   /// Packets of the open frame: a duplicate must not end it.
   std::deque<std::pair<std::size_t, double>> recent_;

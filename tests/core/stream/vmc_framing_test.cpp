@@ -37,17 +37,30 @@ TEST(VmcFraming, ClosesAtANewTimeThatComesLast) {
   EXPECT_FALSE(framing.is_open());
 }
 
-TEST(VmcFraming, TellsATimeBetweenTheBonesOfAFrame) {
+// From another timer, or between the bones: after three of them frames end at a bone that comes again.
+TEST(VmcFraming, ATimeBetweenTheBonesOfAFrameIsToldAndDoesNotCutIt) {
   VmcFraming inside, last, first;
   for (int frame = 0; frame < 12; ++frame) {
     const double at_s = 1 + frame / 60.0, time = 5 + frame / 60.0;
-    inside.bone(Hips, at_s), inside.time(time, at_s), inside.bone(Spine, at_s);
+    const auto before = inside.bone(Hips, at_s);
+    const auto cut = inside.time(time, at_s);
+    inside.bone(Spine, at_s);
+    EXPECT_EQ(cut.has_value(), frame < 3) << frame;
+    if (frame > 3) {
+      ASSERT_TRUE(before) << frame;
+      EXPECT_NEAR(before->time.value_or(0), time - 1 / 60.0, 1e-9);
+      EXPECT_EQ(before->held, 0);
+    }
     last.bone(Hips, at_s), last.bone(Spine, at_s), last.time(time, at_s);
     first.time(time, at_s), first.bone(Hips, at_s), first.bone(Spine, at_s);
   }
   EXPECT_TRUE(inside.is_time_inside());
   EXPECT_FALSE(last.is_time_inside());
   EXPECT_FALSE(first.is_time_inside());
+  // Now it comes last.
+  inside.bone(Hips, 2), inside.bone(Spine, 2), inside.time(7, 2);
+  EXPECT_TRUE(inside.silence(2 + VmcFraming::silence_s));
+  EXPECT_FALSE(inside.is_time_inside());
 }
 
 TEST(VmcFraming, DoesNotCloseAtATimeThatStands) {
