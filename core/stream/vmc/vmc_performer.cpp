@@ -140,10 +140,9 @@ void VmcPerformer::finish(const std::optional<VmcFraming::Frame>& frame, Decoded
   }
   if (framing_.is_time_inside() && frame->arrived_s - told_inside_s_ >= 1) {
     told_inside_s_ = frame->arrived_s;
-    out.issues.push_back(
-        {"time-inside-frame",
-         name_ + ": T comes between the bones of a frame, as from another timer; frames end at a "
-                 "bone that comes again. Have T sent before or behind all bones"});
+    out.issues.push_back({"time-inside-frame", name_ + ": T comes between the bones of a frame, as from "
+                                                       "another timer; frames end as without it. Have T "
+                                                       "sent before or behind all bones"});
   }
   if (frame->held > 0)
     out.issues.push_back({"incomplete-frame", name_ + ": " + std::to_string(frame->held) +
