@@ -1,6 +1,7 @@
 #include "core/stream/receive/pose_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace abrazo {
 
@@ -11,11 +12,30 @@ constexpr double look_again_s = 0.1;  ///< when nothing is known to come
 constexpr double rates_alike = 1.1;   ///< a rate so little above the wanted one is not thinned
 constexpr double smallest_step_s = 1e-4;
 
+constexpr double together_s = 1;      ///< two that begin within it: which is the user is not known
+constexpr double clearly_faster = 2;  ///< of two rates
+
+/// One that began together with the followed performer and sends clearly more poses, looked at once both have
+/// been there for half of that time.
+PerformerStream* faster_beginner(StreamPipeline& pipeline, const PerformerStream& followed, double now_s) {
+  for (const auto& other : pipeline.streams()) {
+    const double later_s = std::max(other->first_seen_s(), followed.first_seen_s());
+    const double apart_s = std::abs(other->first_seen_s() - followed.first_seen_s());
+    const double both_for_s = now_s - later_s;
+    if (apart_s <= together_s && both_for_s >= together_s / 2 && both_for_s <= 2 * together_s &&
+        other->last_pose_s() >= 0 && now_s - other->last_pose_s() <= silent_s &&
+        other->rate_hz(now_s) >= clearly_faster * followed.rate_hz(now_s))
+      return other.get();
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
   PerformerStream* const current = followed_.empty() ? nullptr : pipeline.find(followed_);
   PerformerStream* chosen = current;
+  bool is_faster = false;
   if (!wanted_.empty()) {
     chosen = pipeline.find(wanted_);
   } else if (!current || now_s - current->last_frame_s() > silent_s) {
@@ -26,12 +46,18 @@ PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
         break;
       }
     }
+  } else if (PerformerStream* const faster = faster_beginner(pipeline, *current, now_s)) {
+    chosen = faster;
+    is_faster = true;
   }
   if (chosen && (chosen->name() != followed_ || chosen->first_seen_s() != followed_since_s_)) {
     if (wanted_.empty() && !followed_.empty() && chosen->name() != followed_)
-      pipeline.note_sender_change(chosen->name() + " is followed now, since " + followed_ +
-                                      " stopped sending poses; name the performer to follow only that one",
-                                  now_s);
+      pipeline.note_sender_change(
+          chosen->name() + " is followed now, since " +
+              (is_faster ? "it sends more poses than " + followed_ + ", which began with it"
+                         : followed_ + " stopped sending poses") +
+              "; name the performer to follow only that one",
+          now_s);
     followed_ = chosen->name();
     if (wanted_.empty()) pipeline.note_followed(followed_);
     followed_since_s_ = chosen->first_seen_s();

@@ -11,8 +11,9 @@ namespace abrazo {
 /// last. Not thread-safe.
 class PoseReader {
  public:
-  /// @param performer empty = the first that appears; if it falls silent and another appears later (a
-  /// restarted sender on another port), that one
+  /// @param performer empty = the first that appears; of two that appear within a second the one that sends
+  /// clearly more poses; if it falls silent and another appears later (a restarted sender on another port),
+  /// that one
   explicit PoseReader(std::string performer) : wanted_(std::move(performer)) {}
 
   std::optional<SourcePose> poll(StreamPipeline& pipeline, double now_s);

@@ -353,6 +353,34 @@ TEST(StreamPipeline, AReaderOfAnyoneFollowsARestartedSenderButNotThePartner) {
   EXPECT_EQ(other.performer(), "user");
 }
 
+// A stranger's poses at a tenth of the rate, begun together with the real ones.
+TEST(StreamPipeline, OfTwoThatBeginTogetherTheOneWithClearlyMorePosesIsFollowedAndThatIsSaid) {
+  for (const bool is_stranger_first : {true, false}) {
+    PlainLine line;
+    PoseReader reader("");
+    int of_stranger = 0, all = 0;
+    for (int i = 0; i < 300; ++i) {
+      const auto send_stranger = [&] {
+        if (i % 10 == 0) line.send({"stranger", {}, {}, test::standing_pose()}, 6000);
+      };
+      if (is_stranger_first) send_stranger();
+      line.stand(test::standing_pose(), "user", 0.01);
+      if (!is_stranger_first) send_stranger();
+      if (!reader.poll(line.pipeline, line.now_s)) continue;
+      ++all;
+      of_stranger += reader.performer() == "stranger" ? 1 : 0;
+    }
+    EXPECT_EQ(reader.performer(), "user");
+    EXPECT_LE(of_stranger, 7) << "of half a second";
+    EXPECT_GT(all, 240) << "the rate of the user";
+    EXPECT_EQ(
+        line.advice("sender-changed").find("user is followed now, since it sends more poses than stranger") ==
+            0,
+        is_stranger_first);
+    EXPECT_THAT(line.advice("two-senders"), HasSubstr(", and user plays the user; choose who does"));
+  }
+}
+
 TEST(StreamPipeline, APerformerWhoComesBackAfterOthersTookThePlaceIsFollowedAtOnce) {
   for (const std::string wanted : {"", "Ana"}) {
     PlainLine line;
