@@ -206,16 +206,14 @@ void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
                           "If it is one program that takes another port for every packet, receive with the "
                           "option split=port; each counts as a separate performer now");
   if (seen.uri.scheme == Scheme::Vmc)
-    advice.add(
-        Severity::Warning, "two-senders",
-        who + "Each counts as a separate performer" +
-            (seen.followed.empty() ? "" : ", and " + seen.followed + " plays the user") +
-            "; choose who does. If one is left over from before, end it; two performers are safer on two "
-            "ports" +
-            (count_machines(seen) == 1
-                 ? ". If it is one program that takes another port for every packet, receive with "
-                   "the option split=port"
-                 : ""));
+    advice.add(Severity::Warning, "two-senders",
+               who + "Each counts as a separate performer; choose who plays the user" +
+                   (seen.followed.empty() ? "" : " (now " + seen.followed + ")") +
+                   ". If one is left over from before, end it; two performers are safer on two ports" +
+                   (count_machines(seen) == 1
+                        ? ". If it is one program that takes another port for every packet, receive with "
+                          "the option split=port"
+                        : ""));
   else
     advice.add(Severity::Warning, "two-senders",
                who +

@@ -291,7 +291,7 @@ TEST(StreamFaults, TwoVmcSendersOnOnePortAreTwoPerformers) {
   EXPECT_EQ(line.health().performers.size(), 2U);
   EXPECT_THAT(line.advice("two-senders"),
               AllOf(HasSubstr("2 senders send to this port (10.0.0.1:5000, 10.0.0.1:5001)"),
-                    HasSubstr("plays the user; choose who does")));
+                    HasSubstr("choose who plays the user (now 10.0.0.1:5000)")));
   EXPECT_EQ(breaks(line), 1U) << "one of them is followed";
 }
 

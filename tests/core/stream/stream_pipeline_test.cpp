@@ -377,7 +377,7 @@ TEST(StreamPipeline, OfTwoThatBeginTogetherTheOneWithClearlyMorePosesIsFollowedA
         line.advice("sender-changed").find("user is followed now, since it sends more poses than stranger") ==
             0,
         is_stranger_first);
-    EXPECT_THAT(line.advice("two-senders"), HasSubstr(", and user plays the user; choose who does"));
+    EXPECT_THAT(line.advice("two-senders"), HasSubstr("choose who plays the user (now user)"));
   }
 }
 
