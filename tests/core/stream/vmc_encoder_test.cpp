@@ -83,7 +83,7 @@ TEST(VmcEncoder, ItsRootHasThePlaceAndHeadingOfTheCharacterAndTheHipsAreRelative
   const Pose pose = test::moved(test::standing_pose(), turn_rad, place);
   const OscPacket now = read_osc(encoder()->packets({pose, 0, true})[0]),
                   as_before = read_osc(encoder("?root=origin")->packets({pose, 0, true})[0]);
-  const OscElement& root_message = message(now, "/VMC/Ext/Root/Pos");
+  const OscElement root_message = message(now, "/VMC/Ext/Root/Pos");
   ASSERT_EQ(root_message.arguments.size(), 14u);
   const auto root = transform_of(root_message), hips = transform_of(message(now, "/VMC/Ext/Bone/Pos"));
   const auto old_root = transform_of(message(as_before, "/VMC/Ext/Root/Pos")),
