@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QTest>
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,12 @@ bool is_near(int a, int b, int tolerance) {
 
 QImage picture_of(QWidget& widget) {
   widget.show();
+  if (widget.isWindow()) (void)QTest::qWaitForWindowExposed(&widget);
   QElapsedTimer clock;
   clock.start();
   while (clock.elapsed() < 60) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  QApplication::sendPostedEvents();  // a layout may ask for another: on a busy machine the time was over
+                                     // before
   return widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
 }
 
