@@ -9,12 +9,12 @@ namespace abrazo {
 /// The most frequent separator of a line outside quotes: comma, semicolon or tab; `usual` if there is a tie.
 char table_separator(std::string_view line, char usual);
 
-/// Separator of a table in the order of its lines: as "sep=;" says it (Excel), else by its first line.
-/// @return the length of the "sep=" line, with its end
+/// Separator of a whole table.
 struct TableSeparator {
   char separator = ',';
-  std::size_t stated_length = 0;
+  std::size_t stated_length = 0;  ///< of a first line that states it ("sep=;", of Excel), with its end
 };
+/// As the first line states it, else the most frequent one of the first row, whose quotes may hold line ends.
 TableSeparator separator_of_table(std::string_view text, char usual);
 
 /// The fields of a line, trimmed and without the quotes around them, in which separators are text.
