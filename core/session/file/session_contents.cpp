@@ -6,6 +6,7 @@
 
 #include "core/session/file/decisions_json.hpp"
 #include "core/session/file/project_annotations.hpp"
+#include "core/session/file/session_schema.hpp"
 #include "core/session/file/table_reader.hpp"
 #include "core/session/frames/time_place.hpp"
 
