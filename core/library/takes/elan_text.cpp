@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "core/base/text.hpp"
@@ -342,24 +341,6 @@ void leave_out_media(Rows& rows) {
 void leave_out_frequencies(Rows& rows) {
   std::erase_if(rows, [](const CsvRow& row) { return row.fields[0] == "\\"; });
 }
-
-/// Tiers in the order in which they appear.
-class TiersInOrder {
- public:
-  Tier& named(const std::string& name) {
-    const auto [place, is_new] = places_.emplace(name, tiers_.size());
-    if (is_new) tiers_.push_back({name, {}, {}, kind_of_name(name)});
-    return tiers_[place->second];
-  }
-  std::vector<Tier> taken() {
-    for (Tier& tier : tiers_) std::ranges::stable_sort(tier.intervals, {}, &TierInterval::start_s);
-    return std::move(tiers_);
-  }
-
- private:
-  std::vector<Tier> tiers_;
-  std::map<std::string, std::size_t> places_;
-};
 
 struct Times {
   double begin_s = 0, end_s = 0;

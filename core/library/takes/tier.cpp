@@ -5,11 +5,24 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 
 namespace abrazo {
+
+Tier& TiersInOrder::named(const std::string& name) {
+  const auto [place, is_new] = places_.emplace(name, tiers_.size());
+  if (is_new) tiers_.push_back({name, {}, {}, kind_of_name(name)});
+  return tiers_[place->second];
+}
+
+std::vector<Tier> TiersInOrder::taken() {
+  for (Tier& tier : tiers_) std::ranges::stable_sort(tier.intervals, {}, &TierInterval::start_s);
+  places_.clear();
+  return std::exchange(tiers_, {});
+}
 
 std::vector<std::string> values_of(std::span<const TierInterval> intervals) {
   std::vector<std::string> values;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +49,19 @@ struct Tier {
   TierKind kind = TierKind::Note;
 
   bool operator==(const Tier&) const = default;
+};
+
+/// Collects the tiers of a table, in whose rows intervals of any tier follow one another.
+class TiersInOrder {
+ public:
+  /// The tier of this name, with the kind that the name tells; made behind the others if it is missing.
+  Tier& named(const std::string& name);
+  /// In order of appearance, each with its intervals by their start.
+  std::vector<Tier> taken();
+
+ private:
+  std::vector<Tier> tiers_;
+  std::map<std::string, std::size_t> places_;
 };
 
 /// The values of a tier's intervals, each once, in order of appearance.

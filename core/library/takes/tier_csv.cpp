@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "core/base/text.hpp"
 #include "core/library/takes/csv_text.hpp"
@@ -63,17 +62,9 @@ Result<double> seconds(const std::string& field, const char* what, std::string_v
   return *number;
 }
 
-/// The tier of a name; created if missing.
-Tier& tier_named(std::vector<Tier>& tiers, std::map<std::string, std::size_t>& places,
-                 const std::string& name) {
-  const auto [place, is_new] = places.emplace(name, tiers.size());
-  if (is_new) tiers.push_back({name, {}, {}, kind_of_name(name)});
-  return tiers[place->second];
-}
-
 Result<TierDocument> parse_exchange(const std::vector<CsvRow>& rows, std::string_view where) {
   TierDocument document;
-  std::map<std::string, std::size_t> places;
+  TiersInOrder tiers;
   const auto columns = columns_of(rows.front(), where, document.warnings);
   if (!columns) return columns.error();
   for (std::size_t r = 1; r < rows.size(); ++r) {
@@ -97,12 +88,10 @@ Result<TierDocument> parse_exchange(const std::vector<CsvRow>& rows, std::string
                            fmt::format("ends at {} s, which is not after its start at {} s; end is exclusive",
                                        *end_s, *start_s));
     if (field(TierName).empty()) return error_at_line(where, row.line, "the tier is empty; name it");
-    tier_named(document.tiers, places, field(TierName))
+    tiers.named(field(TierName))
         .intervals.push_back({*start_s, *end_s, field(Value), field(Detail), field(Confidence)});
   }
-  for (Tier& tier : document.tiers)
-    std::stable_sort(tier.intervals.begin(), tier.intervals.end(),
-                     [](const TierInterval& a, const TierInterval& b) { return a.start_s < b.start_s; });
+  document.tiers = tiers.taken();
   return document;
 }
 

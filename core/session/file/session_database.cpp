@@ -247,14 +247,27 @@ Status check_files(const std::string& path) {
   return Done{};
 }
 
-/// Whether the file says that it has a log beside it (bytes 18 and 19 of the database header, 2: WAL), and
-/// there is none.
-bool was_copied_without_log(const std::string& path) {
+/// SQLite's own descriptor: closing another one would drop the locks that this program holds on the file.
+sqlite3_file* file_of(sqlite3* database) {
+  sqlite3_file* file = nullptr;
+  const bool is_known =
+      database && sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, &file) == SQLITE_OK;
+  return is_known && file && file->pMethods ? file : nullptr;
+}
+
+/// The first bytes of the database header; none if the file is shorter, or is not open.
+std::optional<std::array<char, 20>> head_of(sqlite3* database) {
   std::array<char, 20> head{};
-  std::ifstream file(path, std::ios::binary);
-  std::error_code failure;
-  return file.read(head.data(), head.size()) && head[18] == 2 && head[19] == 2 &&
-         !std::filesystem::exists(log_of_session(path), failure);
+  sqlite3_file* const file = file_of(database);
+  if (!file || file->pMethods->xRead(file, head.data(), static_cast<int>(head.size()), 0) != SQLITE_OK)
+    return std::nullopt;
+  return head;
+}
+
+/// Whether the header says that there is a log beside the file (bytes 18 and 19, 2: WAL).
+bool has_log_by_its_head(sqlite3* database) {
+  const auto head = head_of(database);
+  return head && (*head)[18] == 2 && (*head)[19] == 2;
 }
 
 /// A journal that SQLite finds beside a database may name another one, which it then deletes. Journals of
@@ -316,7 +329,6 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
     if (const Status made = make_database_file(path); !made) return made.error();
   auto handle = std::make_unique<Handle>();
   handle->path = path;
-  handle->lacks_log = was_copied_without_log(path);  // SQLite makes an empty one
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
   if (access == Access::Frozen)
     flags |= SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
@@ -330,6 +342,9 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
   const std::string name = access == Access::Frozen ? frozen_uri(full) : full;
   const int code = sqlite3_open_v2(name.c_str(), &handle->database, flags, nullptr);
   if (code != SQLITE_OK) return error_of(code, nullptr, path);
+  // SQLite makes an empty log when it first reads.
+  handle->lacks_log =
+      has_log_by_its_head(handle->database) && !std::filesystem::exists(log_of_session(path), failure);
   sqlite3_extended_result_codes(handle->database, 1);
   handle->is_salvage = access == Access::Salvage;
   defend(handle->database, handle->is_salvage);
@@ -431,20 +446,14 @@ Status SessionDatabase::copy_into(const std::string& path) {
   return Done{};
 }
 
-// Through SQLite's own descriptor: closing another one would drop the locks that it holds.
 std::optional<std::int64_t> SessionDatabase::bytes_on_disk() const {
   static constexpr std::string_view begin("SQLite format 3\0", 16);
-  sqlite3_file* file = nullptr;
-  if (!handle_->database ||
-      sqlite3_file_control(handle_->database, "main", SQLITE_FCNTL_FILE_POINTER, &file) != SQLITE_OK ||
-      !file || !file->pMethods)
-    return std::nullopt;
+  sqlite3_file* const file = file_of(handle_->database);
+  if (!file) return std::nullopt;
   sqlite3_int64 bytes = 0;
-  std::array<char, begin.size()> found{};
   if (file->pMethods->xFileSize(file, &bytes) != SQLITE_OK) return std::nullopt;
-  const int read = file->pMethods->xRead(file, found.data(), static_cast<int>(found.size()), 0);
-  const bool is_database = read == SQLITE_OK && std::string_view(found.data(), found.size()) == begin;
-  return is_database ? bytes : 0;
+  const auto head = head_of(handle_->database);
+  return head && std::string_view(head->data(), begin.size()) == begin ? bytes : 0;
 }
 
 Status SessionDatabase::abandon() {

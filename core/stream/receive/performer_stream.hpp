@@ -39,7 +39,9 @@ class PerformerStream {
 
   const std::string& name() const { return name_; }
   /// Its name, or one that its sender told later.
-  bool is_called(const std::string& name) const { return name == name_ || name == also_called_; }
+  bool is_called(const std::string& name) const {
+    return name == name_ || (!name.empty() && name == also_called_);
+  }
   double first_seen_s() const { return first_seen_s_; }
   double last_pose_s() const { return last_pose_s_; }  ///< arrival of the newest pose; -1 for none
   double last_frame_s() const { return last_frame_s_; }

@@ -1,7 +1,10 @@
 #include "core/session/run/recorder.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <functional>
@@ -411,6 +414,39 @@ TEST(Recorder, WhatTheQueueCannotHoldIsCountedAsLost) {
   const auto file = opened(session.path);
   EXPECT_EQ(frames_of(*file).size(), 10U);
   EXPECT_EQ(file->contents().runs[0].lost, session.keeper->frames.size() - 10);
+}
+
+/// Whether another process would find SQLite's lock of a connection on the file: bytes 2 to 511 behind the
+/// first GiB. Of its own locks a process is told nothing.
+bool is_locked_for_others(const std::string& path) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    struct flock lock {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = 0x40000002;
+    lock.l_len = 510;
+    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    const bool is_known = file >= 0 && ::fcntl(file, F_GETLK, &lock) == 0;
+    ::_exit(is_known && lock.l_type != F_UNLCK ? 1 : 0);
+  }
+  int status = 0;
+  return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 1;
+}
+
+// A process loses all its locks on a file when it closes any descriptor of it: another program would then
+// take the log for one that nobody needs.
+TEST(Recorder, KeepsItsLockWhileTheSameProgramReadsTheFile) {
+  Recorded session;
+  session.run_until(0.2);
+  ASSERT_TRUE(session.recorder().flush());
+  ASSERT_TRUE(is_locked_for_others(session.path));
+  {
+    const auto file = opened(session.path);
+    EXPECT_TRUE(is_locked_for_others(session.path)) << "while it is open";
+  }
+  EXPECT_TRUE(is_locked_for_others(session.path)) << "after it was closed";
+  EXPECT_TRUE(session.recorder().finish());
 }
 
 TEST(Recorder, RefusesAFileThatAnotherOneWrites) {
