@@ -112,6 +112,12 @@ Material danced_with(const Material& open, int take) {
   return material;
 }
 
+Material fresh_session(const Material& open) {
+  Material next = for_next_session(open);
+  return next.input.poses.empty() ? danced_with(next, static_cast<int>(next.library->takes().size()) - 1)
+                                  : next;
+}
+
 Material asked_dance(const Material& open, int take) {
   Material material = danced_with(for_next_session(open), take);
   material.is_input_asked = true;

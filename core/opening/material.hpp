@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,13 @@ struct RecordedSession {
   Markers markers() const;
 };
 
+/// What plays the user of a session.
+enum class InputUse {
+  Clip,        ///< the input, solved once over its length: nothing is live
+  ClipAsLive,  ///< the input in a loop in real time, as if it were performed
+  Stream,      ///< nobody, until a stream is connected
+};
+
 /// The data of a live session: a library, and a clip that plays the user. After a recorded session the clip
 /// continues, or has a name and a rate but no poses.
 struct Material {
@@ -40,6 +48,7 @@ struct Material {
   bool is_generated = false;  ///< the library can be generated again, by its name
   bool stands_in = false;     ///< the library replaces that of the project, which was not found
   Clip input;
+  InputUse use = InputUse::Clip;
   /// The user asked for this input: it plays the user where a stream did. An input that came with a library
   /// does not.
   bool is_input_asked = false;
@@ -57,8 +66,15 @@ struct Material {
   const std::shared_ptr<const MotionLibrary>& library_of_files() const {
     return unannotated ? unannotated : library;
   }
-  /// Nobody plays the user until a stream is connected.
+  /// There is nothing but what was recorded.
   bool is_only_recorded() const { return recorded && input.poses.empty(); }
+  /// The session is a clip: finite, and solved once over its length. What was recorded is a document already.
+  bool is_clip() const { return use == InputUse::Clip && !recorded; }
+  /// Longer clips are played as live: solved frames of this many take some 2 GB of memory.
+  static constexpr std::uint64_t most_frames_solved = 120'000;
+  bool is_too_long_to_solve() const { return input.poses.size() > most_frames_solved; }
+  /// The input plays the user; otherwise nobody does until a stream is connected.
+  bool input_plays() const { return is_clip() || (use == InputUse::ClipAsLive && !input.poses.empty()); }
   /// Motion, skeleton and joint map of the input; none if it is a take of the library.
   std::vector<std::string> input_files() const;
   /// The library is neither a file nor generated: closing the session loses it, except for its manifest.
@@ -71,6 +87,9 @@ Clip clip_of_take(const MotionLibrary& library, int take);
 /// What another session on the open library begins with: no recording, no project, and no annotations of its
 /// takes, of which those that are saved are put in again.
 Material for_next_session(const Material& open);
+
+/// Another session on the open library, with its clip; with the last take where the session had none.
+Material fresh_session(const Material& open);
 
 /// The open material with a take of its library as the user; that take is then excluded from selection.
 Material danced_with(const Material& open, int take);

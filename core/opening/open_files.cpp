@@ -1,7 +1,11 @@
 #include "core/opening/open_files.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
+#include "core/base/text.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/opening/generated_set.hpp"
 #include "core/opening/import_rules.hpp"
 #include "core/opening/joint_maps.hpp"
@@ -46,6 +50,61 @@ Result<std::vector<ImportedClip>> with_remembered_map(MotionPoints& points, Moti
   return reading.joint_map.empty() ? clips : points.performers(reading, progress);
 }
 
+/// The take of the open library whose performer was read from this file, else from one beside it of the same
+/// kind.
+/// @param library  a file that is opened with it; empty = the open library
+std::optional<std::pair<Manifest::Take, Manifest::Performer>> take_like(const std::string& file,
+                                                                        const std::string& library,
+                                                                        const Material& open) {
+  const bool is_open = library.empty();
+  const std::string& library_file = is_open ? open.library_file : library;
+  std::optional<Manifest> of_file;
+  if (std::filesystem::path(library_file).extension() == ".json")
+    if (auto read = read_manifest(library_file)) of_file = std::move(*read);
+  const Manifest* manifest = of_file ? &*of_file : is_open ? open.manifest.get() : nullptr;
+  if (!manifest) return std::nullopt;
+  std::error_code failure;
+  const auto place = [&failure](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(path, failure);
+  };
+  const std::filesystem::path wanted = place(file);
+  std::optional<std::pair<Manifest::Take, Manifest::Performer>> found;
+  for (const Manifest::Take& take : manifest->takes)
+    for (const Manifest::Performer* performer : {&take.a, &take.b}) {
+      const std::filesystem::path motion = place(performer->motion);
+      if (motion == wanted) return std::pair(take, *performer);
+      if (!found && motion.parent_path() == wanted.parent_path() && motion.extension() == wanted.extension())
+        found.emplace(take, *performer);
+    }
+  return found;
+}
+
+/// What the file does not say is read as in the library that is open: a capture at 60 Hz that answers at 120
+/// dances twice as fast as the takes it was recorded with.
+/// @return in words what was taken from there; empty = nothing
+std::string read_as_in_library(const ImportReport& report, const std::string& library, const Material& open,
+                               MotionReading& reading) {
+  const auto like = take_like(reading.file, library, open);
+  if (!like) return {};
+  const auto& [take, performer] = *like;
+  const auto unit = performer.metres_per_unit ? performer.metres_per_unit : take.metres_per_unit;
+  std::string words;
+  const auto note = [&words](const std::string& what) { words += (words.empty() ? "" : ", ") + what; };
+  if (report.fps_guessed && !reading.fps && take.fps) {
+    reading.fps = take.fps;
+    note(exact_text(*take.fps) + " frames per second");
+  }
+  if (report.unit_guessed && !reading.metres_per_unit && unit) {
+    reading.metres_per_unit = unit;
+    note(exact_text(*unit) + " m per unit");
+  }
+  if (report.up_axis_guessed && reading.up.empty() && performer.up_axis) {
+    reading.up = std::string(name_of(*performer.up_axis));
+    note("up axis " + reading.up);
+  }
+  return words;
+}
+
 /// By the person's choices, otherwise by the rule for similar files, otherwise as found; then notes whether
 /// the file leaves questions.
 Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Material& material,
@@ -68,6 +127,17 @@ Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Materia
     }
   }
   if (!clips) return clips.error();
+  if (!settled) {
+    MotionReading like_library = reading;
+    const std::string taken =
+        read_as_in_library(clips->front().report, files.library, wish.open, like_library);
+    auto said = taken.empty() ? clips : points.performers(like_library, progress);
+    if (!taken.empty() && said) {
+      clips = std::move(said), reading = std::move(like_library);
+      material.warnings.push_back(std::filesystem::path(reading.file).filename().string() +
+                                  " does not say it, so it was read as the takes of the library: " + taken);
+    }
+  }
   material.is_doubtful = !settled && (!suits || clips->size() > 1 || clips->front().report.asks());
   take_input(reading, std::move(*clips), material);
   return Done{};

@@ -18,6 +18,7 @@ struct Scene {
   Annotations annotations;
   int moves = 0, notes = 0, hold = 0, turn = 0, walk = 0;
   TierRules rules{Conflict::Replace, {0, 40}, 60};
+  int selected = 0;
 
   Scene() {
     moves = *annotations.add_tier("move", TierKind::Move, {{"hold"}, {"turn"}, {"walk"}});
@@ -30,7 +31,7 @@ struct Scene {
   }
   double y(int tier) const { return lanes.top_of_tier(tier) + 10; }
   TierHit at(double time_s, double off_px = 0) const {
-    return tier_hit(axis.x(time_s) + off_px, y(moves), axis, lanes, annotations);
+    return tier_hit(axis.x(time_s) + off_px, y(moves), axis, lanes, annotations, selected);
   }
   /// From one time to another, snapping within 0.2 s.
   TierDrag::Outcome dragged(double from_s, double to_s, double reach_s = 0.2, bool anew = false) const {
@@ -100,18 +101,29 @@ TEST(TimelineLanes, OfATakeOnlyThoseThatSaySomethingOfIt) {
 }
 
 TEST(TierHit, TellsEdgesBodiesAndWhatIsEmpty) {
-  const Scene scene;
-  EXPECT_EQ(scene.at(15, -4), (TierHit{Part::Start, scene.moves, scene.hold}));
+  Scene scene;
   EXPECT_EQ(scene.at(17), (TierHit{Part::Body, scene.moves, scene.hold}));
+  scene.selected = scene.hold;
+  EXPECT_EQ(scene.at(15, -4), (TierHit{Part::Start, scene.moves, scene.hold}));
+  scene.selected = scene.turn;
   EXPECT_EQ(scene.at(25, 4), (TierHit{Part::End, scene.moves, scene.turn}));
   EXPECT_EQ(scene.at(27), (TierHit{Part::Empty, scene.moves}));
-  EXPECT_EQ(tier_hit(40, scene.y(scene.moves), scene.axis, scene.lanes, scene.annotations),
+  EXPECT_EQ(tier_hit(40, scene.y(scene.moves), scene.axis, scene.lanes, scene.annotations, 0),
             (TierHit{Part::Name, scene.moves}));
-  EXPECT_EQ(tier_hit(300, 5, scene.axis, scene.lanes, scene.annotations), TierHit{});
+  EXPECT_EQ(tier_hit(300, 5, scene.axis, scene.lanes, scene.annotations, 0), TierHit{});
+}
+
+TEST(TierHit, OnlyTheEdgesOfTheSelectedLabelAreTakenHoldOf) {
+  Scene scene;
+  EXPECT_EQ(scene.at(25, 4), (TierHit{Part::Empty, scene.moves})) << "another label begins here";
+  EXPECT_EQ(scene.at(25, -4), (TierHit{Part::Body, scene.moves, scene.turn}));
+  scene.selected = scene.walk;
+  EXPECT_EQ(scene.at(20).part, Part::Body) << "neither of the two that meet here is selected";
 }
 
 TEST(TierHit, TheEdgeThatTwoShareIsOfBoth) {
-  const Scene scene;
+  Scene scene;
+  scene.selected = scene.turn;
   for (const double off_px : {-3.0, 0.0, 3.0})
     EXPECT_EQ(scene.at(20, off_px), (TierHit{Part::Between, scene.moves, scene.hold, scene.turn})) << off_px;
 }
@@ -119,6 +131,7 @@ TEST(TierHit, TheEdgeThatTwoShareIsOfBoth) {
 TEST(TierHit, ANarrowLabelKeepsABodyToTakeHoldOf) {
   Scene scene;
   const int dot = *scene.annotations.draw(scene.moves, 27, 27.45, "hold", Conflict::Refuse, {0, 40});  // 9 px
+  scene.selected = dot;
   EXPECT_EQ(scene.at(27.225), (TierHit{Part::Body, scene.moves, dot}));
   EXPECT_EQ(scene.at(27, -3).part, Part::Start);
 }
@@ -141,7 +154,8 @@ TEST(TierDrag, DrawsFromFrameToFrame) {
 }
 
 TEST(TierDrag, AnEdgeSnapsToTheCursorAMarkerAndAnEdgeOfAnotherAndShowsIt) {
-  const Scene scene;
+  Scene scene;
+  scene.selected = scene.turn;
   EXPECT_EQ(scene.dragged(25, 28.4).snapped_s, 28.5);
   EXPECT_EQ(scene.dragged(25, 27.1).snapped_s, 27.0);
   EXPECT_EQ(scene.dragged(25, 29.95).snapped_s, 30.0);
@@ -165,7 +179,8 @@ TEST(TierDrag, MovesWholeAndTheNearerEndSnaps) {
 }
 
 TEST(TierDrag, TheSharedEdgeMovesBoth) {
-  const Scene scene;
+  Scene scene;
+  scene.selected = scene.turn;
   for (const double to : {18.0, 22.0}) {
     const auto moved = scene.dragged(20, to);
     EXPECT_NEAR(moved.annotations.find(scene.hold)->end_s, to, 1e-9);
@@ -175,7 +190,8 @@ TEST(TierDrag, TheSharedEdgeMovesBoth) {
 }
 
 TEST(TierDrag, AnEdgeStopsAFrameBeforeTheOther) {
-  const Scene scene;
+  Scene scene;
+  scene.selected = scene.hold;
   const auto shut = scene.dragged(15, 24);
   EXPECT_NEAR(shut.to_s - shut.from_s, 1 / 60.0, 1e-9);
   EXPECT_NEAR(scene.dragged(20, 39).annotations.find(scene.turn)->duration_s(), 1 / 60.0, 1e-9);
@@ -183,6 +199,7 @@ TEST(TierDrag, AnEdgeStopsAFrameBeforeTheOther) {
 
 TEST(TierDrag, TellsWhatIsInTheWayBeforeItIsLetGo) {
   Scene scene;
+  scene.selected = scene.turn;
   scene.rules.conflict = Conflict::Refuse;
   EXPECT_FALSE(scene.dragged(25, 31).refused.empty());
   EXPECT_TRUE(scene.dragged(25, 29).refused.empty());

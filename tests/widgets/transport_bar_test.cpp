@@ -8,8 +8,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "tests/widgets/pictures.hpp"
+#include "widgets/common/tabular.hpp"
 #include "widgets/timeline/quick_entry.hpp"
 
 namespace abrazo::widgets::transport_bar_test {
@@ -144,13 +146,28 @@ TEST(TransportBar, LeavesOutThatTheSenderIsThisMachineBeforeItsNameIsShortened) 
   EXPECT_EQ(bar.inputText(), QString("Abrazo, NatNet (Motive) · 120 Hz"));
 }
 
-TEST(TransportBar, ATakeIsNeverLive) {
+TEST(TransportBar, WhatHasAnEndIsNeverLive) {
   TransportBar bar;
-  bar.showOfTake(true);
-  bar.showPlayback({}, -1);
-  EXPECT_EQ(bar.stateText(), "") << "no take is shown yet";
-  bar.showPlayback({}, 12);
-  EXPECT_EQ(bar.stateText(), "AT THE END");
+  bar.resize(1600, bar.height());
+  bar.show();
+  const auto is_live_offered = [&bar] {
+    for (const QPushButton* button : bar.findChildren<QPushButton*>())
+      if (button->isVisible()) return true;
+    return false;
+  };
+  Playback playback;
+  playback.extend(0, 28);
+  bar.showPlayback(playback, 12);
+  EXPECT_TRUE(is_live_offered());
+  playback.is_live = false;
+  playback.seek(20.07);
+  bar.setFrames(1678);
+  bar.showPlayback(playback, 1204);
+  EXPECT_FALSE(is_live_offered());
+  EXPECT_EQ(bar.stateText(), "PARKED") << "behind nothing";
+  const auto labels = bar.findChildren<TabularLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+                          [](const TabularLabel* label) { return label->text() == "frame 1204 of 1678"; }));
 }
 
 TEST(TransportBar, WritesTimeAsAskedFor) {

@@ -19,12 +19,14 @@ namespace abrazo::app {
 class DemoWindow : public testing::Test {
  protected:
   /// For SetUpTestSuite: a window with every action and nothing open.
-  static void showWindow(QSize size) {
+  /// @param playsAsLive  its clips are performed without end: for what a live session does
+  static void showWindow(QSize size, bool playsAsLive = true) {
     s_home = std::make_unique<QTemporaryDir>();
     qputenv("ABRAZO_HOME", s_home->path().toUtf8());
     s_remembered = std::make_unique<UserSettings>();
     s_window = std::make_unique<MainWindow>(*s_remembered);
     s_window->setTheme(widgets::Theme::Dark);
+    s_window->setPlaysAsLive(playsAsLive);
     s_window->resize(size);
     add_all_actions(*s_window);
     s_window->show();

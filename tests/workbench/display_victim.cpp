@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   app::UserSettings remembered;
   app::MainWindow window(remembered);
+  window.setPlaysAsLive(true);
   window.setTheme(widgets::Theme::Dark);
   window.resize(1000, 700);
   const app::Rooms rooms = app::add_all_actions(window);

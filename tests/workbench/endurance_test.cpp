@@ -64,6 +64,7 @@ TEST(StartTimes, TheProcessIsOlderThanThisTest) {
 TEST(StatusLines, OfAWindowWithoutASessionALineIsWholeJson) {
   UserSettings remembered;
   MainWindow window(remembered);
+  window.setPlaysAsLive(true);
   const Responsiveness responsiveness;
   StatusLines lines(window.document(), window.scene(), responsiveness, 1, [](const std::string&) {});
   const std::string line = lines.line();

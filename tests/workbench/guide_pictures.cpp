@@ -296,6 +296,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   qputenv("ABRAZO_HOME", home.path().toUtf8());
   UserSettings remembered;
   MainWindow window(remembered);
+  window.setPlaysAsLive(true);
   window.setTheme(theme);
   add_all_actions(window);
   window.document().putSettings(preset("responsive").value());

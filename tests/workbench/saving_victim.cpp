@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   const QString file = QString::fromLocal8Bit(argv[1]);
   app::UserSettings remembered;
   app::MainWindow window(remembered);
+  window.setPlaysAsLive(true);
   window.resize(1000, 700);
   const app::Rooms rooms = app::add_all_actions(window);
   rooms.project.setAsks(true);

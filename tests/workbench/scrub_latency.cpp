@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   app::UserSettings remembered;
   app::MainWindow window(remembered);
+  window.setPlaysAsLive(true);
   window.setTheme(widgets::Theme::Dark);
   app::add_all_actions(window);
   window.resize(width, height);

@@ -310,6 +310,7 @@ int main(int argc, char** argv) {
   application.watched_ms = asked.watched_ms;
   app::UserSettings remembered;
   app::MainWindow window(remembered);
+  window.setPlaysAsLive(true);
   window.setTheme(widgets::Theme::Dark);
   app::add_all_actions(window);
   window.resize(asked.size);

@@ -7,6 +7,8 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
@@ -173,6 +175,11 @@ void SinkList::setAddress(const QString& host, int port) {
 void SinkList::takeFocus() {
   m_host->setFocus();
   m_host->selectAll();
+  // The panel may have been opened for it just now, and the field lie below what is seen of it.
+  QTimer::singleShot(0, m_host, [host = m_host] {
+    for (QWidget* above = host->parentWidget(); above; above = above->parentWidget())
+      if (auto* scrolled = qobject_cast<QScrollArea*>(above)) scrolled->ensureWidgetVisible(host);
+  });
 }
 
 }  // namespace abrazo::widgets

@@ -230,6 +230,8 @@ void SweepForm::setColumns(const std::string& key) {
 }
 
 void SweepForm::setRunning(bool running) {
+  // What was computed stays in view, also when one of its points becomes the settings.
+  if (running) m_x.touched = m_y.touched = true;
   for (Side* side : {&m_x, &m_y}) {
     const bool counted = is_counted(*find_setting(side->setting->currentData().toString().toStdString()));
     side->setting->setEnabled(!running);

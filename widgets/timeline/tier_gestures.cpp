@@ -67,7 +67,8 @@ QPoint TimelineView::placeOf(int tier, double time_s) const {
 }
 
 TierHit TimelineView::tierUnder(const QPointF& place) const {
-  return tier_hit(place.x(), place.y(), axis(), m_content.lanes, m_content.tiers.annotations);
+  return tier_hit(place.x(), place.y(), axis(), m_content.lanes, m_content.tiers.annotations,
+                  m_content.tiers.selected);
 }
 
 /// Ctrl draws over existing labels. A click seeks, as in every lane, and selects the label there.

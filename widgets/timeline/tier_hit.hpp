@@ -33,8 +33,9 @@ struct TierHit {
 /// Distance within which the pointer grabs an edge.
 inline constexpr double edge_reach_px = 5;
 
-/// The edge of a tier nearest to a time, within reach; a narrow annotation keeps a body between its edges.
-inline TierHit edge_near(const AnnotationTier& tier, double time_s, double second_px) {
+/// The edge of the selected annotation nearest to a time, within reach: whoever draws another one beside one
+/// that is not selected does not mean its edge. A narrow annotation keeps a body between its edges.
+inline TierHit edge_near(const AnnotationTier& tier, double time_s, double second_px, int selected) {
   using Part = TierHit::Part;
   TierHit found{Part::Empty, tier.id};
   double nearest_px = edge_reach_px;
@@ -46,7 +47,7 @@ inline TierHit edge_near(const AnnotationTier& tier, double time_s, double secon
       return std::abs(off_px) <= (off_px * inwards > 0 ? inner_px : edge_reach_px) &&
              std::abs(off_px) <= nearest_px;
     };
-    if (reaches(each.start_s, 1) && found.part != Part::Between) {
+    if (each.id == selected && reaches(each.start_s, 1) && found.part != Part::Between) {
       nearest_px = std::abs(time_s - each.start_s) / second_px;
       found = {Part::Start, tier.id, each.id};
     }
@@ -55,13 +56,13 @@ inline TierHit edge_near(const AnnotationTier& tier, double time_s, double secon
     const bool shared = next && next->start_s - each.end_s < same_s;
     const double to_end_px = std::abs(time_s - each.end_s) / second_px;
     const bool on_shared =
-        shared && to_end_px <= nearest_px &&
+        shared && (each.id == selected || next->id == selected) && to_end_px <= nearest_px &&
         (time_s < each.end_s ? to_end_px <= inner_px
                              : to_end_px <= std::min(edge_reach_px, next->duration_s() / second_px / 3));
     if (on_shared) {
       nearest_px = to_end_px;
       found = {Part::Between, tier.id, each.id, next->id};
-    } else if (!shared && reaches(each.end_s, -1)) {
+    } else if (each.id == selected && !shared && reaches(each.end_s, -1)) {
       nearest_px = to_end_px;
       found = {Part::End, tier.id, each.id};
     }
@@ -70,7 +71,7 @@ inline TierHit edge_near(const AnnotationTier& tier, double time_s, double secon
 }
 
 inline TierHit tier_hit(double x_px, double y_px, const TimelineAxis& axis, const TimelineLanes& lanes,
-                        const Annotations& annotations) {
+                        const Annotations& annotations, int selected) {
   using Part = TierHit::Part;
   constexpr double outside_px = 8;
   const int id = lanes.tier_at(y_px);
@@ -78,7 +79,7 @@ inline TierHit tier_hit(double x_px, double y_px, const TimelineAxis& axis, cons
   if (!tier) return {};
   if (x_px < axis.left_px - outside_px) return {Part::Name, id};
   const double time_s = axis.time(x_px);
-  const TierHit edge = edge_near(*tier, time_s, axis.seconds_per_pixel());
+  const TierHit edge = edge_near(*tier, time_s, axis.seconds_per_pixel(), selected);
   if (edge.is_edge()) return edge;
   if (const Annotation* body = tier->at(time_s)) return {Part::Body, id, body->id};
   for (const Suggestion& suggestion : annotations.suggestions())

@@ -309,7 +309,8 @@ class Painting {
   void live_end() {
     const double x = std::round(axis.x(c.playback.last_s));
     if (c.playback.last_s <= 0 || x < axis.left_px || x > axis.right_px()) return;
-    p.fillRect(QRectF(x, 4, 1.5, c.lanes.bottom_px() - 4), mixed(colours.live, colours.panel, 0.8));
+    const QColor line = c.playback.is_live ? colours.live : colours.secondary;
+    p.fillRect(QRectF(x, 4, 1.5, c.lanes.bottom_px() - 4), mixed(line, colours.panel, 0.8));
   }
 
   void markers() {

@@ -240,11 +240,15 @@ void TransportBar::dress() {
 void TransportBar::showOfTake(bool on) {
   if (on == m_isOfTake) return;
   m_isOfTake = on;
-  m_live->setVisible(!on);
   m_role->hide();  // of a session, the next frame brings it again
-  const QString to = on ? "To the end of the take" : "To the live end";
+  makeRoom();
+}
+
+/// What has an end of its own is not live, and nothing of it says so.
+void TransportBar::showKind() {
+  m_live->setVisible(m_shown.is_live);
+  const QString to = m_shown.is_live ? "To the live end" : "To the end";
   describe(*m_end, to, to + " (End)");
-  showState();
   makeRoom();
 }
 
@@ -454,8 +458,10 @@ QString TransportBar::speedText() const {
 void TransportBar::showPlayback(const Playback& playback, long long frame) {
   const bool look = playback.state != m_shown.state || playback.loop != m_shown.loop ||
                     playback.repeat != m_shown.repeat || playback.every_frame != m_shown.every_frame;
+  const bool kind = playback.is_live != m_shown.is_live;
   m_shown = playback;
   m_shownFrame = frame;
+  if (kind) showKind();
   if (look) {
     dress();
     showLive();
@@ -477,7 +483,8 @@ void TransportBar::showTime() {
   };
   m_time->setText(written(m_format));
   // The other of time and frame is beside it.
-  const QString frame = m_shownFrame < 0 ? "no frame" : QString("frame %1").arg(m_shownFrame);
+  const QString of = m_frames > 0 ? QString(" of %1").arg(m_frames) : QString();
+  const QString frame = m_shownFrame < 0 ? "no frame" : QString("frame %1").arg(m_shownFrame) + of;
   m_frame->setText(m_format == TimeFormat::Frames ? written(TimeFormat::Clock) : frame);
 }
 
@@ -489,24 +496,19 @@ void TransportBar::showState() {
 
 void TransportBar::writeState() {
   const QString late = QString(" −%1 s").arg(std::max(0.0, m_shown.behind_live_s()), 0, 'f', 1);
-  const bool is_late = !m_isOfTake && m_shown.state != Playback::State::Following;
+  const bool is_late = m_shown.is_live && m_shown.state != Playback::State::Following;
   const QString behind = is_late && m_room < Room::ShortWords ? late : QString();
   m_state->setToolTip(is_late ? "Behind the live end:" + late : QString());
   switch (m_shown.state) {
     case Playback::State::Parked:
       m_state->setText("PARKED" + behind);
-      m_state->setColour(m_isOfTake ? m_palette.secondary : m_palette.warning);
+      m_state->setColour(m_shown.is_live ? m_palette.warning : m_palette.secondary);
       break;
     case Playback::State::Playing:
       m_state->setText((m_shown.speed < 0 ? "PLAYING BACK" : "PLAYING") + behind);
       m_state->setColour(m_palette.text);
       break;
     case Playback::State::Following:
-      if (m_isOfTake) {  // its end is not live
-        m_state->setText(m_shownFrame < 0 ? "" : "AT THE END");
-        m_state->setColour(m_palette.secondary);
-        break;
-      }
       m_state->setText(m_isHeld                           ? "‖ HELD"
                        : m_userInput == UserInput::Stream ? "● LIVE"
                        : m_userInput == UserInput::Clip   ? "▶ CLIP"

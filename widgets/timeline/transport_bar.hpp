@@ -34,6 +34,8 @@ class TransportBar : public QWidget {
   /// Rate of the timecode; 0 = none.
   void setRate(double rate_hz);
   double rate() const { return m_rate_hz; }
+  /// How many frames there are; 0 = the number grows.
+  void setFrames(long long count) { m_frames = count; }
   void setFormat(TimeFormat format);
   TimeFormat format() const { return m_format; }
   /// The take being recorded, "salsa 003 · 00:35"; empty = none.
@@ -94,6 +96,7 @@ class TransportBar : public QWidget {
   void makeRoom();
   void leaveOut(Room room);
   int leastWidth() const;
+  void showKind();
   void showTime();
   void showLive();
   void writeLive();
@@ -107,7 +110,7 @@ class TransportBar : public QWidget {
 
   Palette m_palette;
   Playback m_shown;
-  long long m_shownFrame = -1;
+  long long m_shownFrame = -1, m_frames = 0;
   double m_achieved = 1;
   double m_rate_hz = 0;
   TimeFormat m_format = TimeFormat::Clock;

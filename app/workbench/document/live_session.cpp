@@ -2,6 +2,7 @@
 
 #include "core/stream/receive/clip_source.hpp"
 #include "core/stream/receive/silent_source.hpp"
+#include "core/stream/receive/whole_clip.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 constexpr double pause_s = 1;  // between the recording and its continuation
 
 std::shared_ptr<PoseSource> source_of(const Material& material) {
-  if (material.is_only_recorded()) return std::make_shared<SilentSource>();
+  if (!material.input_plays()) return std::make_shared<SilentSource>();
+  if (material.is_clip()) return std::make_shared<WholeClip>(material.input);
   return std::make_shared<ClipSource>(material.input);
 }
 
@@ -22,6 +24,14 @@ SessionClock clock_of(const Material& material) {
 }
 
 }  // namespace
+
+QString title_of_input(const Material& material) {
+  const QString name = QString::fromStdString(material.input.name);
+  if (material.use == InputUse::Stream) return "no stream";
+  return QString("%1 %2 · %3 Hz")
+      .arg(material.input_plays() ? "clip" : "recorded", name)
+      .arg(material.input.fps, 0, 'f', 0);
+}
 
 LiveSession::LiveSession(PreparedSolver prepared)
     : m_material(std::move(prepared.material)),
@@ -70,6 +80,7 @@ void LiveSession::setLibraryFile(const std::shared_ptr<const MotionLibrary>& lib
 }
 
 void LiveSession::replaceSolver(PreparedSolver prepared) {
+  prepared.material.use = m_material.use;
   m_material = std::move(prepared.material);
   m_engine.push(ReplaceSynthesizer{std::move(prepared.synthesizer)});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,9 @@
 #include "core/session/run/session_engine.hpp"
 
 namespace abrazo::app {
+
+/// What plays the user while no stream does: "clip salsa 02 · 120 Hz".
+QString title_of_input(const Material& material);
 
 /// The session of a window: a running engine and its material. The destructor ends it.
 class LiveSession {
@@ -28,6 +32,8 @@ class LiveSession {
   void lookAt(const std::shared_ptr<const FrameStore>& frames);
   bool looksElsewhere() const { return m_lookedAt != nullptr; }
   const Material& material() const { return m_material; }
+  /// Its own frames are shown, and they are those of a clip that is solved over its length.
+  bool isClip() const { return m_material.is_clip() && !m_lookedAt; }
   /// What a recording of it says about its origin.
   RecordingFacts facts() const;
   /// Sets the file of the library after it was written; ignored if the library was replaced meanwhile.

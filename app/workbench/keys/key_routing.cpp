@@ -1,6 +1,7 @@
 #include "app/workbench/keys/key_routing.hpp"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
@@ -40,8 +41,8 @@ void click(QAbstractButton& button) {
 
 }  // namespace
 
-KeyRouting::KeyRouting(MainWindow& window, Claims labels)
-    : QObject(&window), m_window(window), m_labels(std::move(labels)) {
+KeyRouting::KeyRouting(MainWindow& window, Claims labels, std::function<bool()> annotates)
+    : QObject(&window), m_window(window), m_labels(std::move(labels)), m_annotates(std::move(annotates)) {
   window.installEventFilter(this);
   for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
 }
@@ -49,7 +50,22 @@ KeyRouting::KeyRouting(MainWindow& window, Claims labels)
 bool KeyRouting::isKept(const QKeyEvent& event) const {
   const QWidget* focused = QApplication::focusWidget();
   if (qobject_cast<const QComboBox*>(focused)) return is_of_a_choice(event);
-  return m_labels(event) || (focused == &m_window.timeline() && is_digit(event));
+  return m_labels(event) || isOfAnotherTask(event) || (focused == &m_window.timeline() && is_digit(event));
+}
+
+/// A letter typed after a label was drawn, by somebody who thinks that its name is asked for, must not change
+/// the user's role or the solver.
+bool KeyRouting::isOfAnotherTask(const QKeyEvent& event) const {
+  if (!is_plain(event) || event.key() < Qt::Key_A || event.key() > Qt::Key_Z || !m_annotates()) return false;
+  const QKeySequence key(event.key() | static_cast<int>(event.modifiers() & Qt::ShiftModifier));
+  for (const QAction* action : m_window.actions()) {
+    if (!action->shortcuts().contains(key)) continue;
+    const QString menu = action->objectName().section('.', 0, 0);
+    const auto is_of = [&menu](const char* title) { return menu.startsWith(title); };
+    if (is_of("solve") || is_of("live") || is_of("compare")) return true;
+    return QApplication::focusWidget() == &m_window.timeline() && (is_of("view") || is_of("plots"));
+  }
+  return false;
 }
 
 /// Space plays wherever the focus is, so Return presses a button.
@@ -59,6 +75,12 @@ bool KeyRouting::press(const QKeyEvent& event) {
     auto* button = qobject_cast<QAbstractButton*>(focused);
     if (button && !event.isAutoRepeat()) click(*button);
     return button != nullptr;
+  }
+  if (isOfAnotherTask(event)) {
+    m_window.messages().showInformation(event.text().toUpper() +
+                                        " does nothing while you annotate. N or Return opens a label's "
+                                        "value; click the scene for the other keys");
+    return true;
   }
   if (focused != &m_window.timeline() || !is_digit(event)) return false;
   m_window.messages().showInformation(

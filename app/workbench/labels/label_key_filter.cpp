@@ -73,11 +73,15 @@ const AnnotationTier* LabelKeyFilter::tierOf(char key) const {
   return m_desk.isOpen() ? tier_of_key(m_document.annotations(), m_document.labels().tier(), key) : nullptr;
 }
 
-bool LabelKeyFilter::claims(const QKeyEvent& event) {
+bool LabelKeyFilter::works() const {
   const QWidget* focused = QApplication::focusWidget();
-  const bool works = focused == &m_timeline || (!m_document.subject().empty() && !is_typed_into(focused));
+  const bool is_there = focused == &m_timeline || (!m_document.subject().empty() && !is_typed_into(focused));
+  return is_there && m_desk.isOpen();
+}
+
+bool LabelKeyFilter::claims(const QKeyEvent& event) {
   const char key = key_of(event);
-  const bool ours = key != 0 && works && (tierOf(key) || m_keys.is_held(key));
+  const bool ours = key != 0 && works() && (tierOf(key) || m_keys.is_held(key));
   m_claimed = ours ? key : '\0';
   return ours;
 }

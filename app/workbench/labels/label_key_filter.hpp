@@ -26,8 +26,11 @@ class LabelKeyFilter : public QObject {
                  AnnotationDesk& desk);
 
   void setTaps(bool on);
-  /// Whether a key that no view keeps sets a label: in the timeline, and wherever nothing is typed while a
-  /// take is annotated. Its press is then taken before the focused view gets it.
+  /// Whether keys are those of annotation: in the timeline, and wherever nothing is typed while a take is
+  /// annotated.
+  bool works() const;
+  /// Whether a key that no view keeps sets a label. Its press is then taken before the focused view
+  /// gets it.
   bool claims(const QKeyEvent& event);
 
  protected:

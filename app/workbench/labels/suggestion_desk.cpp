@@ -1,10 +1,12 @@
 #include "app/workbench/labels/suggestion_desk.hpp"
 
+#include <QAction>
 #include <QListWidget>
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
@@ -87,8 +89,15 @@ void SuggestionDesk::take(const SuggestionRequest& request, const SuggestedTiers
   focusList();
   const auto count =
       (request.moves ? suggested.moves.size() : 0) + (request.roles ? suggested.roles.size() : 0);
+  const auto key = [this](const char* id) {
+    const QAction* action = action_of(m_window, id);
+    return action ? action->shortcut().toString(QKeySequence::NativeText) : QString();
+  };
   m_window.messages().showInformation(
-      QString("%1 suggestions: A accepts, E accepts with another value, X rejects").arg(count));
+      QString("%1 suggestions: %2 accepts, %3 accepts with another value, %4 rejects")
+          .arg(count)
+          .arg(key("annotation.accept_suggestion"), key("annotation.accept_suggestion_as"),
+               key("annotation.reject_suggestion")));
 }
 
 void SuggestionDesk::focusList() {

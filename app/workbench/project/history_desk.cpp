@@ -45,13 +45,13 @@ QFileInfoList parts_in(const QString& folder) {
 
 HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, std::uint64_t bytes) {
   QMessageBox box(QMessageBox::NoIcon, "Abrazo",
-                  QString("Keep the history of this session: %1, %2 on disk?")
+                  QString("Keep %1 of live history (%2)?")
                       .arg(clock_words(seconds))
                       .arg(QString::fromStdString(widgets::disk_size_text(bytes))),
                   QMessageBox::Cancel, &window);
   box.setInformativeText(
-      "It is not in a session file; saving the session adds it. If you keep it, it is offered as a session "
-      "at the next start; otherwise it is deleted now.");
+      "It was not recorded. Kept, it is offered as a session at the next start; labels and settings are "
+      "saved.");
   QAbstractButton* keep = box.addButton("Keep", QMessageBox::AcceptRole);
   QAbstractButton* discard = box.addButton("Delete", QMessageBox::DestructiveRole);
   box.exec();
@@ -114,7 +114,7 @@ void HistoryDesk::begin() {
   const auto recorded = m_window.session()->material().recorded;
   m_savedTo_s = recorded ? recorded->last_s() : 0;
   m_window.timeline().showLost({});
-  if (bound() <= 0) return;
+  if (bound() <= 0 || m_window.session()->material().is_clip()) return;  // of a clip nothing comes to be
   const HistoryBound limit{.bytes = static_cast<std::uint64_t>(bound() * gigabyte)};
   // On another thread: the first page of a file is on the disk before it counts as made. Until then frames
   // are in memory, and the files get them all.

@@ -8,11 +8,27 @@
 
 namespace abrazo::app {
 
+namespace {
+
+/// On the library that is open, with everything else as at the first start.
+void begin_anew(MainWindow& window) {
+  if (!window.session()) return window.openDemo();
+  if (!window.isLeft()) return;
+  Document& document = window.document();
+  document.controlRole(RoleControl::Hand);
+  document.putSettings(preset("responsive").value());
+  window.openMaterial([next = fresh_session(window.session()->material())](
+                          const Progress&) { return Result<Material>(next); },
+                      {}, MainWindow::AsksToLeave::Asked);
+}
+
+}  // namespace
+
 ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
   auto* desk = new ProjectDesk(window, takes);
   QMenu* menu = menu_of(window, "File");
   QAction* fresh =
-      add_action(window, menu, "New session", {QKeySequence("Ctrl+N")}, [&window] { window.openDemo(); });
+      add_action(window, menu, "New session", {QKeySequence("Ctrl+N")}, [&window] { begin_anew(window); });
   move_before(*menu, fresh, action_of(window, "file.open"));
   QAction* save = add_action(window, menu, "Save", {QKeySequence("Ctrl+S")}, [desk] { desk->save(); });
   QAction* save_as =
@@ -21,7 +37,6 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
     move_before(*menu, action, action_of(window, "file.generated_dance"));
   auto* history = new HistoryDesk(window, [desk] { return desk->hasTakes(); });
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
-  QObject::connect(desk, &ProjectDesk::keepingHistory, history, &HistoryDesk::leave);
   desk->unsavedHistory = [history] { return history->unsaved(true); };
   QObject::connect(desk, &ProjectDesk::losingHistory, history, &HistoryDesk::leaveSession);
   QObject::connect(desk, &ProjectDesk::historySaved, history, &HistoryDesk::noteSaved);

@@ -23,34 +23,29 @@ namespace {
 
 constexpr int settle_ms = 500;  // with the writing, changes are on disk well within 2 s
 
-/// @param history_s  of the history, in no file; 0 = not worth a word
 /// Takes that were captured here and are in no file.
 bool has_lost_takes(const MainWindow& window) {
   const LiveSession* session = window.session();
   return session && session->material().has_unsaved_library() && !session->material().manifest;
 }
 
-ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, double history_s) {
+/// What was made by hand and would be lost, and what is safe.
+QString ending_words(const MainWindow& window, bool has_recordings, double history_s) {
+  QString words = "Labels, markers, settings and decisions since the last save are lost otherwise";
+  if (has_lost_takes(window)) words += ", and so are the takes of the library that were captured here";
+  words += has_recordings ? ". Recorded takes are on disk." : ".";
+  if (history_s > 0)
+    words += QString(" Discard deletes %1 of live history, too: it was not recorded.")
+                 .arg(QString::fromStdString(clock_text(history_s)));
+  return words;
+}
+
+ProjectDesk::Answer ask_person(MainWindow& window, const QString& name, const QString& words) {
   QMessageBox box(QMessageBox::NoIcon, "Abrazo", "Save the changes to " + name + "?",
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
-  box.setInformativeText(
-      QString(
-          "Otherwise annotations, markers, settings and decisions since the last save are lost. Recordings "
-          "are on disk in any case; saving adds the history.") +
-      (history_s > 0 ? QString(" %1 of it are in no session file: Discard deletes them as well; Keep history "
-                               "offers them as a session at the next start.")
-                           .arg(QString::fromStdString(clock_text(history_s)))
-                     : QString()) +
-      (has_lost_takes(window)
-           ? QString(" The library has takes that were captured here and is in no file: Discard loses them, "
-                     "Save offers to write it.")
-           : QString()));
+  box.setInformativeText(words);
   box.setDefaultButton(QMessageBox::Save);
-  const QAbstractButton* keep =
-      history_s > 0 ? box.addButton("Keep history", QMessageBox::AcceptRole) : nullptr;
-  const int answer = box.exec();
-  if (keep && box.clickedButton() == keep) return ProjectDesk::Answer::KeepHistory;
-  switch (answer) {
+  switch (box.exec()) {
     case QMessageBox::Save:
       return ProjectDesk::Answer::Save;
     case QMessageBox::Discard:
@@ -87,7 +82,8 @@ ProjectDesk::ProjectDesk(MainWindow& window, TakeDesk& takes)
   setObjectName("project desk");
   ask = [this] {
     const QString name = QFileInfo(file()).fileName();
-    return ask_person(m_window, name.isEmpty() ? "this session" : name, unsavedHistory());
+    return ask_person(m_window, name.isEmpty() ? "this session" : name,
+                      ending_words(m_window, hasTakes(), unsavedHistory()));
   };
   askLibrary = [this] { return ask_about_library(m_window); };
   connect(&window, &MainWindow::leaving, this, &ProjectDesk::onLeaving);
@@ -227,7 +223,9 @@ void ProjectDesk::write(const QString& target) {
   const double until_s = history.span().last_s;
   RecordingFacts facts = m_takes.facts();
   facts.input = "clip:" + m_window.session()->material().input.name;  // frames of a stream name it
-  what.history = HistoryToSave{history.stretch(m_framesSavedTo_s, until_s), std::move(facts)};
+  // A clip is solved again when it is opened.
+  if (!m_window.session()->material().is_clip())
+    what.history = HistoryToSave{history.stretch(m_framesSavedTo_s, until_s), std::move(facts)};
   what.library = m_window.session()->material().library;
   what.library_file = *library_file;
   const auto finish = [this, what, target, until_s, session = m_takes.session(), from = file(),
@@ -295,8 +293,6 @@ void ProjectDesk::onLeaving(bool& allowed) {
       return;
     case Answer::Discard:  // the history as well: the question said so
       return;
-    case Answer::KeepHistory:
-      return emit keepingHistory();
     case Answer::Cancel:
       allowed = false;
   }

@@ -44,7 +44,7 @@ class ProjectDesk : public QObject {
   bool isSaving() const { return m_job != nullptr; }
 
   /// Answers to "save changes?"; asked by a dialog unless a test overrides it.
-  enum class Answer { Save, Discard, KeepHistory, Cancel };
+  enum class Answer { Save, Discard, Cancel };
   std::function<Answer()> ask;
   /// Seconds of the history of a changed session that are in no file, if they are worth a question, else 0:
   /// one question asks about both.
@@ -60,8 +60,6 @@ class ProjectDesk : public QObject {
   void historySaved(double until_s);
   /// Unsaved work stays for the next start.
   void leftForNextStart();
-  /// Changes are discarded, and the history stays for the next start.
-  void keepingHistory();
   /// The session is about to end without a change that was not saved: its history is deleted. @param allowed
   /// set to false if the user cancels
   void losingHistory(bool& allowed);

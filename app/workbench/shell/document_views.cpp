@@ -55,15 +55,14 @@ void show_session(MainWindow& window) {
   window.takes().setLibrary(material.library);
   const bool is_named = library.compare("library", Qt::CaseInsensitive) != 0;
   window.panels().setHead("library", is_named ? "Library · " + library : "Library");
-  const bool plays = !material.is_only_recorded();
-  const QString named = (plays ? "clip " : "recorded ") + input;
-  const auto from = plays ? widgets::UserInput::Clip : widgets::UserInput::None;
-  window.transport().setInput(QString("%1 · %2 Hz").arg(named).arg(material.input.fps, 0, 'f', 0));
+  const auto from = material.input_plays() ? widgets::UserInput::Clip : widgets::UserInput::None;
+  window.transport().setInput(title_of_input(material));
   window.transport().showUserInput(from);
-  window.status().setInput({named, from, material.input.fps}, material.library->pair_count());
+  window.status().setInput({title_of_input(material), from, material.input.fps},
+                           material.library->pair_count());
   window.setWindowTitle(input + " with " + library + " — Abrazo");
   window.ticker().setLibrary(material.library);
-  window.ticker().setSources(&window.session()->history(), &window.session()->latest());
+  show_frames_of_session(window);
   QStringList warnings;
   for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
   window.messages().succeed("open", "Opened " + input + " with " + library, true);  // the title shows it
@@ -75,10 +74,18 @@ void show_contents(MainWindow& window) {
   const Material& material = window.session()->material();
   if (!material.recorded) return;
   window.ticker().tick();
-  if (material.is_only_recorded()) window.ticker().goToStart();
+  if (!material.input_plays()) window.ticker().goToStart();
 }
 
 }  // namespace
+
+void show_frames_of_session(MainWindow& window) {
+  const LiveSession& session = *window.session();
+  window.ticker().setSources(&session.history(), &session.latest());
+  const auto clip = session.material().is_clip() ? window.session()->engine().clip_progress() : std::nullopt;
+  if (clip) window.ticker().setEnd(clip->last_s);
+  window.transport().setFrames(clip ? static_cast<long long>(session.material().input.poses.size()) : 0);
+}
 
 void show_document(MainWindow& window) {
   Document& document = window.document();
@@ -90,7 +97,8 @@ void show_document(MainWindow& window) {
   connect(window.settings(), &SettingsPanel::settingsRequested, &Document::adopt);
   connect(window.candidates(), &CandidateTable::decisionsRequested,
           [&window](const Decisions& next, const QString& what) {
-            const bool is_parked = window.ticker().playback().state == Playback::State::Parked;
+            const Playback& playback = window.ticker().playback();
+            const bool is_parked = playback.is_live && playback.state == Playback::State::Parked;
             window.document().decide(next, what, is_parked && window.document().subject().empty());
           });
   QObject::connect(&document, &Document::triedPinChanged, &window,

@@ -38,6 +38,7 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_history = history;
   m_latest = latest;
   m_playback = {};
+  m_end_s.reset();
   m_shown = m_kept = nullptr;
   m_panelsNow = true;
   m_panelsSoon = m_scrubbing = false;
@@ -50,6 +51,12 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_timer.start();
 }
 
+void FrameTicker::setEnd(double end_s) {
+  m_end_s = end_s;
+  m_playback.is_live = false;
+  m_playback.state = Playback::State::Playing;
+}
+
 void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_library = std::move(library);
   m_shown = in_library(m_shown, m_library);
@@ -59,9 +66,10 @@ void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 
 void FrameTicker::resume(const Playback& playback) {
   m_playback = playback;
+  m_playback.is_live = !m_end_s;
   if (m_history) {
     const auto span = m_history->span();
-    m_playback.extend(span.first_s, span.last_s);
+    m_playback.extend(span.first_s, m_end_s.value_or(span.last_s));
   }
   changed();
 }
@@ -72,8 +80,12 @@ void FrameTicker::tick() {
   const double elapsed_s = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
   m_clock.restart();
   if (span.frames + span.stored == 0) return;
-  m_playback.extend(span.first_s, span.last_s);
+  m_playback.extend(span.first_s, m_end_s.value_or(span.last_s));
+  const double before_s = m_playback.cursor_s;
   advance(elapsed_s);
+  // Playing waits for frames that are not solved yet.
+  if (m_end_s && m_playback.state == Playback::State::Playing && span.last_s < *m_end_s)
+    m_playback.cursor_s = std::min(m_playback.cursor_s, std::max(before_s, span.last_s));
   const bool following = m_playback.state == Playback::State::Following;
   FrameSnapshotPtr frame = following ? m_latest->newest() : nullptr;
   if (!frame) frame = m_history->at(m_playback.cursor_s);

@@ -20,6 +20,8 @@ class FrameTicker : public QObject {
   explicit FrameTicker(QObject* parent = nullptr);
   /// Both outlive the ticker or the next call; null pointers stop it.
   void setSources(const FrameHistory* history, const LatestSlot<FrameSnapshot>* latest);
+  /// The frames end there, however many are solved so far: they are played once, from the beginning.
+  void setEnd(double end_s);
   /// Converts candidates of shown frames to this library.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   /// Restores cursor, speed, in and out, within the available range.
@@ -101,6 +103,7 @@ class FrameTicker : public QObject {
   std::function<std::uint64_t()> m_pictures;
   std::uint64_t m_picturesWhenShown = 0;
   double m_frames_hz = 0;
+  std::optional<double> m_end_s;  ///< none: where the newest frame is
   double m_achieved = 1, m_played_s = 0, m_elapsed_s = 0;
 };
 

@@ -221,7 +221,8 @@ void MainWindow::wireViews() {
   connect(&m_statusTimer, &QTimer::timeout, this, [this] {
     if (!session()) return;
     m_status->showHeld(session()->engine().is_held());
-    m_status->refresh(session()->engine().history(), m_scene->renderedFrames());
+    m_status->refresh(session()->engine().history(), m_scene->renderedFrames(),
+                      session()->engine().clip_progress());
   });
   m_statusTimer.start(status_interval_ms);
 }
@@ -239,12 +240,27 @@ void MainWindow::wireTransport() {
   connect(&m_ticker, &FrameTicker::playbackChanged, m_transport, [this](const Playback& playback) {
     const auto& shown = m_ticker.shown();
     m_transport->showHeld(session() && session()->engine().is_held());
-    m_transport->showPlayback(playback, shown ? static_cast<long long>(shown->index) : -1);
+    const bool is_of_clip = session() && session()->isClip();
+    if (is_of_clip) session()->engine().look_at(playback.cursor_s);
+    m_transport->showPlayback(playback, !shown       ? -1
+                                        : is_of_clip ? shown->input_frame
+                                                     : static_cast<long long>(shown->index));
   });
+}
+
+/// The frames of a clip that was solved again took the places of those that lanes and curves have read.
+void MainWindow::showSolvedAgain() {
+  const auto clip = session()->engine().clip_progress();
+  if (!clip || !clip->is_whole() || clip->run == m_shownRun || session()->looksElsewhere()) return;
+  m_shownRun = clip->run;
+  if (clip->run == 1) return;
+  m_plots->clear();
+  m_timeline->showOtherFrames();
 }
 
 void MainWindow::showPanels() {
   if (!session()) return;
+  showSolvedAgain();
   m_timeline->refresh(session()->history(), m_ticker.playback());
   m_plots->refresh(session()->history(), m_ticker.playback(), m_ticker.shown());
   m_candidates->showPath(session()->history(), m_ticker.playback().cursor_s);

@@ -56,11 +56,18 @@ class MainWindow : public QMainWindow {
   /// closed meanwhile
   bool isLeft();
   /// @param files source files, for the list of recent files
-  void openMaterial(MakeMaterial make, const QStringList& files = {},
+  /// @return false if the present session stays, because the user was asked at once
+  bool openMaterial(MakeMaterial make, const QStringList& files = {},
                     AsksToLeave asks = AsksToLeave::BeforeReading);
   /// @param said  how to read their motion; none = by the rule for similar files, otherwise as found
   void openFiles(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
   void openDemo();
+  /// Whether clips are played in a loop in real time, as if they were performed, in sessions that begin from
+  /// now on.
+  void setPlaysAsLive(bool on) { m_playsAsLive = on; }
+  bool playsAsLive() const { return m_playsAsLive; }
+  /// Whether a stream is wanted: sessions that begin are its own, unless the user asks for a clip.
+  void setWantsStream(bool on) { m_wantsStream = on; }
   /// The question about missing data of a session; empty: it is not asked.
   void setLocateMissing(LocateMissing ask) { m_locate = std::move(ask); }
   /// Adds the files to the recent ones.
@@ -158,6 +165,8 @@ class MainWindow : public QMainWindow {
   void wireTransport();
   void showPanels();
   void start(PreparedSolver prepared);
+  InputUse useOf(const Material& material) const;
+  void showSolvedAgain();
   void endSession();
 
   UserSettings& m_remembered;
@@ -182,7 +191,9 @@ class MainWindow : public QMainWindow {
   QMenu* m_panelMenu = nullptr;
   DropHint* m_dropHint = nullptr;
   QTimer m_statusTimer;
-  bool m_isStopping = false;  ///< closes as soon as no work runs
+  bool m_playsAsLive = false, m_wantsStream = false;
+  std::uint64_t m_shownRun = 0;  ///< of the clip's solution, which views show as a whole
+  bool m_isStopping = false;     ///< closes as soon as no work runs
 
   FrameTicker m_ticker;
   std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the

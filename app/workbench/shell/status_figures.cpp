@@ -62,7 +62,10 @@ QStringList StatusFigures::words() const {
   return words;
 }
 
-void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_frames) {
+void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_frames,
+                            const std::optional<LiveLoop::ClipProgress>& clip) {
+  if (clip && clip->run != m_run) m_nextIndex = 0;
+  m_run = clip ? clip->run : 0;
   const double elapsed_s = static_cast<double>(m_sinceRefresh.restart()) / 1000;
   if (elapsed_s > 0) m_renderRate = static_cast<double>(rendered_frames - m_rendered) / elapsed_s;
   m_rendered = rendered_frames;
@@ -85,6 +88,7 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
   if (newest) {
     m_ok = newest->result.status != StepStatus::Failed;
     m_left = {{"in", in}, {"steps", hertz(newest->input_rate_hz)}};
+    if (clip) m_left.clear();
     if (m_input.lost) m_left.push_back({"lost", QString::number(*m_input.lost)});
     m_left.insert(m_left.end(),
                   {{"solve", ms(0.5) + " ms"},
@@ -93,16 +97,19 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
                    {"partner p99", QString("%1 m/s").arg(percentile(m_speed_m_s, 0.99), 0, 'f', 1)}});
     if (newest->dropped_inputs > 0) m_left.push_back({"replaced", QString::number(newest->dropped_inputs)});
   } else {
+    std::erase_if(m_left, [](const Figure& figure) { return figure.name == "solving"; });
     for (Figure& figure : m_left) {
       if (figure.name == "in") figure.value = m_isHeld ? in : hertz(0);
       if (figure.name == "steps") figure.value = hertz(0);
       if (figure.name == render) figure.value = rendered;
     }
   }
+  if (clip && !clip->is_whole())
+    m_left.insert(m_left.begin(), {"solving", QString("%1 of %2").arg(clip->solved).arg(clip->frames)});
   m_right = {{"library", QString("%L1 pairs").arg(m_pairs)},
-             {"history", QString("%1 s · %2 MB")
-                             .arg(span.last_s - span.first_s, 0, 'f', 0)
-                             .arg(static_cast<double>(span.bytes) / (1 << 20), 0, 'f', 0)}};
+             {clip ? "clip" : "history", QString("%1 s · %2 MB")
+                                             .arg(span.last_s - span.first_s, 0, 'f', 0)
+                                             .arg(static_cast<double>(span.bytes) / (1 << 20), 0, 'f', 0)}};
   update();
 }
 

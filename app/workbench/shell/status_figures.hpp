@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/session/frames/frame_history.hpp"
+#include "core/session/run/live_loop.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/common/user_input.hpp"
 #include "widgets/plots/plot_series.hpp"
@@ -36,7 +37,9 @@ class StatusFigures : public QWidget {
   void showInput(const Input& input);
   /// Whether the input is held: by the user, or while a take is annotated.
   void showHeld(bool on) { m_isHeld = on; }
-  void refresh(const FrameHistory& history, std::uint64_t rendered_frames);
+  /// @param clip  how far it is solved; none: the frames are live
+  void refresh(const FrameHistory& history, std::uint64_t rendered_frames,
+               const std::optional<LiveLoop::ClipProgress>& clip);
 
   /// The shown texts from left to right, such as "in 60 Hz".
   QStringList words() const;
@@ -54,6 +57,7 @@ class StatusFigures : public QWidget {
   bool m_ok = true, m_isHeld = false;
   std::vector<Figure> m_left, m_right;
   std::uint64_t m_nextIndex = 0;
+  std::uint64_t m_run = 0;  ///< of the clip's solution that was read
   std::uint64_t m_rendered = 0;
   double m_renderRate = 0;
   QElapsedTimer m_sinceRefresh;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/document_views.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/plots/plot_panel.hpp"
@@ -111,7 +112,13 @@ void SubjectStage::look(const std::shared_ptr<const TakeFrames>& take) {
   m_window.timeline().showOtherFrames();
   m_window.timeline().showOfTake(take != nullptr);
   m_window.transport().showOfTake(take != nullptr);
-  m_window.ticker().setSources(&session.history(), &session.latest());
+  if (take) {
+    m_window.ticker().setSources(&session.history(), &session.latest());
+    m_window.ticker().setEnd(take->span().last_s);
+    m_window.transport().setFrames(static_cast<long long>(take->span().frames));
+  } else {
+    show_frames_of_session(m_window);
+  }
   m_window.ticker().setFrameRate(take ? take->fps() : 0);
 }
 
@@ -129,15 +136,12 @@ void SubjectStage::restore(const std::string& subject) {
 
 void SubjectStage::write(const std::string& subject) {
   const Material& material = m_window.session()->material();
-  const QString input = QString::fromStdString(material.input.name);
   if (m_take) {
     m_window.transport().setInput(
         QString("take %1 · %2 Hz").arg(QString::fromStdString(subject)).arg(m_take->fps(), 0, 'f', 0));
     return m_window.transport().setRate(m_take->fps());
   }
-  m_window.transport().setInput(QString("%1 %2 · %3 Hz")
-                                    .arg(material.is_only_recorded() ? "recorded" : "clip", input)
-                                    .arg(material.input.fps, 0, 'f', 0));
+  m_window.transport().setInput(title_of_input(material));
   m_window.transport().setRate(material.input.fps);
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <QCloseEvent>
 #include <QMetaMethod>
 #include <algorithm>
@@ -70,8 +72,17 @@ bool MainWindow::isLeft() {
   return allowed && m_job.get() == opening && !m_isStopping;
 }
 
-void MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksToLeave asks) {
-  if (asks == AsksToLeave::BeforeReading && !isLeft()) return;
+/// A motion that the user opens takes the place of a stream; of those that were asked for at the start the
+/// stream plays the user.
+InputUse MainWindow::useOf(const Material& material) const {
+  if (m_playsAsLive) return InputUse::ClipAsLive;
+  const bool is_for_stream = m_wantsStream && !(material.is_input_asked && session());
+  if (is_for_stream) return InputUse::Stream;
+  return material.is_too_long_to_solve() ? InputUse::ClipAsLive : InputUse::Clip;
+}
+
+bool MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksToLeave asks) {
+  if (asks == AsksToLeave::BeforeReading && !isLeft()) return false;
   const Settings wanted = m_document->settings();
   const auto stays = session() ? session()->material().library_of_files() : nullptr;
   Job::retire(std::move(m_job), this);
@@ -100,6 +111,14 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksT
       if (session() && stays == ready->material.library_of_files() &&
           !session()->material().library_file.empty())
         ready->material.library_file = session()->material().library_file;
+      Material& material = ready->material;
+      material.use = useOf(material);
+      if (material.use == InputUse::ClipAsLive && !m_playsAsLive)
+        material.warnings.push_back(
+            fmt::format("the clip has {} frames, more than are kept of a clip that is solved as a whole "
+                        "({}): it is played as "
+                        "live; open a part of it to see its frames at once",
+                        material.input.poses.size(), Material::most_frames_solved));
       start(std::move(*ready));
       if (!files.isEmpty()) emit filesOpened(files);
     };
@@ -112,12 +131,14 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksT
   });
   m_messages->showProgress("Opening", 0);
   show_progress(*m_job, *m_messages);
+  return true;
 }
 
 void MainWindow::start(PreparedSolver prepared) {
   m_document->finishSession();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
+  m_shownRun = 0;
   m_document->openSession(std::move(prepared));
 }
 

@@ -96,7 +96,8 @@ void IntendedMoveDesk::refreshDistances() {
 }
 
 void IntendedMoveDesk::declare(const IntendedMoveChoice& choice, widgets::IntendedMoveSpan span) {
-  m_since_s = m_window.session()->engine().clock().now_s();
+  // Of a clip it is meant from its beginning.
+  m_since_s = m_window.session()->material().is_clip() ? 0 : m_window.session()->engine().clock().now_s();
   Decisions next = m_window.document().decisions();
   next.meant = widgets::meant_move(choice, span, m_since_s);
   m_window.document().change(next, "intend " + text(widgets::choice_title(choice)));
@@ -116,7 +117,8 @@ void IntendedMoveDesk::onPanels() {
   const Decisions& decisions = m_window.document().decisions();
   const FrameSnapshotPtr newest =
       m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
-  if (decisions.meant && newest && newest->time_s > m_since_s + answered_within_s &&
+  const bool is_live = m_window.session() && !m_window.session()->material().is_clip();
+  if (is_live && decisions.meant && newest && newest->time_s > m_since_s + answered_within_s &&
       !(newest->decisions && newest->decisions->meant)) {
     Decisions rest = decisions;
     rest.meant.reset();

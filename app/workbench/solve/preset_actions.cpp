@@ -97,6 +97,7 @@ void follow_frame(MainWindow& window) {
   const auto tell = [&window] {
     const FrameTicker& ticker = window.ticker();
     const bool looks_back = !window.session()->looksElsewhere() && ticker.shown() &&
+                            ticker.playback().is_live &&
                             ticker.playback().state != Playback::State::Following;
     window.settings().showFrameSettings(looks_back ? std::optional(ticker.shown()->settings) : std::nullopt);
   };

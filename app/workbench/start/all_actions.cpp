@@ -66,7 +66,9 @@ Rooms add_all_actions(MainWindow& window) {
   shortcuts->begin();
   new widgets::WheelToScroll(&window);
   new UndoOfText(window, window.undoStack());
-  new KeyRouting(window, [label_keys](const QKeyEvent& event) { return label_keys->claims(event); });
+  new KeyRouting(
+      window, [label_keys](const QKeyEvent& event) { return label_keys->claims(event); },
+      [label_keys] { return label_keys->works(); });
   return {project, streams, layouts, leftovers};
 }
 

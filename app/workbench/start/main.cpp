@@ -104,6 +104,8 @@ int main(int argc, char** argv) {
   if (asked.status_every_s > 0)
     status.emplace(window.document(), window.scene(), responsiveness, asked.status_every_s, write_line);
   window.document().putSettings(*settings);
+  // What is sent somewhere, and what is measured, is played in real time.
+  window.setPlaysAsLive(asked.listen.empty() && (!asked.send.empty() || asked.smoke_frames > 0));
   if (asked.size.isValid())
     window.resize(asked.size);
   else if (!asked.unattended())
@@ -130,6 +132,9 @@ int main(int argc, char** argv) {
   if (!asked.listen.empty()) rooms.streams.connectTo(QString::fromStdString(asked.listen));
   for (const std::string& uri : asked.send)
     app::send_partner_to(window, rooms.streams, QString::fromStdString(uri));
-  dance ? window.openMaterial(std::move(dance)) : window.openFiles(files);
+  if (dance)
+    window.openMaterial(std::move(dance));
+  else
+    window.openFiles(files);
   return QApplication::exec();
 }

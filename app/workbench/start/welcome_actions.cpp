@@ -77,6 +77,8 @@ void add_welcome_actions(MainWindow& window) {
   QObject::connect(&window, &MainWindow::panelsArranged, page, [page, show, &window] {
     page->setVisible(show->isChecked() && has_room_for(*page, window));
   });
+  QObject::connect(&window.document(), &Document::began, page,
+                   [&window, page] { page->showAbout(window.session()->material().is_generated); });
   QObject::connect(page, &WelcomePage::closeRequested, show, [show] { show->setChecked(false); });
   QObject::connect(page, &WelcomePage::shownAtStartChanged, page,
                    [&window](bool on) { window.remembered().setWelcome(on); });

@@ -85,10 +85,9 @@ WelcomePage::WelcomePage(QWidget* parent)
   m_close->setAccessibleName("Close the welcome page");
   m_close->setToolTip("Close; Help > Welcome brings it back");
   connect(m_close, &QToolButton::clicked, this, &WelcomePage::closeRequested);
-  m_column->addWidget(sentence(
-      "One dancer is the input. The partner is chosen from a library of pairs, and fitted by the mesh "
-      "between the two bodies. What you see is a generated dance, solved as it plays.",
-      page));
+  m_about = sentence({}, page);
+  m_column->addWidget(m_about);
+  showAbout(true);
   m_column->addWidget(section("Begin"));
   m_column->addLayout(m_starts);
   m_column->addWidget(section("Recent"));
@@ -103,6 +102,14 @@ WelcomePage::WelcomePage(QWidget* parent)
   connect(m_atStart, &QCheckBox::toggled, this, &WelcomePage::shownAtStartChanged);
   scroll->setWidget(page);
   setRecent({}, {});
+}
+
+void WelcomePage::showAbout(bool is_generated) {
+  m_about->setText(
+      QString(
+          "One dancer is the input. The partner is chosen from a library of pairs, and fitted by the mesh "
+          "between the two bodies.") +
+      (is_generated ? " What you see is generated." : ""));
 }
 
 widgets::SectionHeader* WelcomePage::section(const QString& title) {

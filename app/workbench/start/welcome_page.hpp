@@ -30,6 +30,8 @@ class WelcomePage : public QWidget {
   void setRecent(const QStringList& labels, const QStringList& tips);
   /// Adds a start action above the recent files.
   void addStart(const QString& text, const QString& key, std::function<void()> act);
+  /// @param is_generated  what is open was generated
+  void showAbout(bool is_generated);
   void setShownAtStart(bool on);
 
  signals:
@@ -50,6 +52,7 @@ class WelcomePage : public QWidget {
   QVBoxLayout *m_starts, *m_recent;
   std::vector<widgets::SectionHeader*> m_heads;
   std::vector<QLabel*> m_swatches;
+  QLabel* m_about;
   QToolButton* m_close;
   QCheckBox* m_atStart;
 };

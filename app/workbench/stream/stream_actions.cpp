@@ -52,6 +52,23 @@ void add_sinks(MainWindow& window, QMenu* menu, StreamDesk& desk, ConnectionPane
   });
 }
 
+/// The clip in a loop in real time, as if it were performed: for rehearsing, and for receivers.
+void add_play_as_live(MainWindow& window, QMenu* menu) {
+  QAction* play = add_action(window, menu, "Play the clip as live", {}, [] {});
+  play->setCheckable(true);
+  QObject::connect(&window.document(), &Document::began, play,
+                   [&window, play] { play->setChecked(window.playsAsLive()); });
+  QObject::connect(play, &QAction::triggered, &window, [&window, play](bool on) {
+    window.setPlaysAsLive(on);
+    if (!window.session()) return;
+    const bool leaves = window.openMaterial([next = fresh_session(window.session()->material())](
+                                                const Progress&) { return Result<Material>(next); });
+    if (leaves) return;
+    window.setPlaysAsLive(!on);
+    play->setChecked(!on);
+  });
+}
+
 /// A stream continues, and the view is parked; a clip, which has no other end, is paused.
 void freeze(MainWindow& window, const StreamDesk& desk) {
   if (desk.isConnected()) {
@@ -86,6 +103,7 @@ StreamDesk& add_stream_actions(MainWindow& window) {
   });
   add_recent(window, menu, *desk);
   QAction* end = add_action(window, menu, "Disconnect", {}, [desk] { desk->disconnectStream(); });
+  add_play_as_live(window, menu);
   menu->addSeparator();
   QAction* calibrate = add_action(window, menu, "Calibrate in T-pose", {QKeySequence("Ctrl+T")},
                                   [desk] { desk->calibrate(); });
@@ -97,14 +115,18 @@ StreamDesk& add_stream_actions(MainWindow& window) {
   QAction* still = add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
                               [&window, desk] { freeze(window, *desk); });
   QAction* hold = action_of(window, "solve.hold_the_input_still");
-  const auto enable = [=] {
+  const auto enable = [=, &window] {
     const bool connected = desk->isConnected();
     for (QAction* action : {end, calibrate, forget}) action->setEnabled(connected);
     still->setText(connected ? "Park the view or follow; the stream goes on" : "Freeze the input");
-    if (hold) hold->setEnabled(!connected);  // a performer cannot be held
+    // A performer cannot be held, and a clip is not going on.
+    const bool is_as_live = window.session() && window.session()->material().use == InputUse::ClipAsLive;
+    if (hold) hold->setEnabled(!connected && is_as_live);
+    still->setEnabled(connected || is_as_live);
   };
   enable();
   QObject::connect(desk, &StreamDesk::connectionChanged, end, enable);
+  QObject::connect(&window.document(), &Document::began, end, enable);
   return *desk;
 }
 

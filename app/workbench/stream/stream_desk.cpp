@@ -108,6 +108,7 @@ void StreamDesk::connectTo(const QString& text) {
 
 void StreamDesk::look(const StreamUri& uri, const QString& text) {
   m_uri = text;
+  m_window.setWantsStream(true);
   m_panel.form().setUri(text);
   m_sourceLookup.find(uri, [this](const Result<StreamUri>& found) {
     if (!found) return refuse(found.error());
@@ -124,6 +125,7 @@ void StreamDesk::refuse(const Error& error) {
   m_window.fail(words(error));
   m_isAsked = false;
   m_uri.clear();
+  m_window.setWantsStream(false);
   m_found.reset();
   poll();
   emit connectionChanged();
@@ -137,9 +139,20 @@ void StreamDesk::refuse(const Error& error) {
 
 void StreamDesk::receiveOnceFound() {
   if (!m_found || !engine() || engine()->receiver()) return;
+  if (m_window.session()->material().is_clip()) return leaveClip();
   bool ready = true;
   emit addressFound(ready);
   if (ready) receive();
+}
+
+/// A stream has a session of its own, on the same library: the clip is a document that is closed.
+void StreamDesk::leaveClip() {
+  const bool leaves = m_window.openMaterial([next = for_next_session(m_window.session()->material())](
+                                                const Progress&) { return Result<Material>(next); });
+  if (leaves) return;  // the session that begins opens the stream
+  const QString uri = m_uri;
+  disconnectStream();
+  m_window.messages().showInformation(uri + " was not connected; the clip stays open");
 }
 
 /// @return whether the stream is open; if not, nothing is connected any more
@@ -182,12 +195,18 @@ void StreamDesk::disconnectStream() {
   m_sourceLookup.cancel();
   m_isAsked = false;
   m_before.clear();
+  const bool was_open = engine() && engine()->receiver();
   m_uri.clear();
+  m_window.setWantsStream(false);
   m_found.reset();
   m_user.clear();
   m_second.clear();
   m_panel.setParts({}, {});
   if (engine()) engine()->stop_receiving();
+  if (was_open && !m_window.session()->material().input_plays())
+    m_window.messages().showInformation(m_sinks.empty()
+                                            ? "Disconnected: the partner stands still"
+                                            : "Disconnected: the partner stands still, and nothing is sent");
   poll();
   emit connectionChanged();
 }
@@ -353,15 +372,12 @@ void StreamDesk::poll() {
 void StreamDesk::showInput() {
   if (!m_window.session()) return;
   const Material& material = m_window.session()->material();
-  const QString clip = QString::fromStdString(material.input.name);
   if (!m_health) {
-    const char* kind = material.is_only_recorded() ? "recorded" : "clip";
-    const QString named = QString("%1 %2").arg(kind, clip);
-    const auto from = material.is_only_recorded() ? UserInput::None : UserInput::Clip;
-    nameInput(QString("%1 · %2 Hz").arg(named).arg(material.input.fps, 0, 'f', 0));
-    m_window.sceneTree().setInputName(kind);
+    const auto from = material.input_plays() ? UserInput::Clip : UserInput::None;
+    nameInput(title_of_input(material));
+    m_window.sceneTree().setInputName(material.input_plays() ? "clip" : "recorded");
     m_window.transport().showUserInput(from);
-    return m_window.status().showInput({named, from, material.input.fps});
+    return m_window.status().showInput({title_of_input(material), from, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
@@ -393,7 +409,11 @@ void StreamDesk::showNotice() {
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;
   if (isConnected() && !m_found)
     return m_notice->say({}, "Looking up the address of " + m_uri, "Live > Disconnect cancels");
-  if (!m_health || !follows) return m_notice->clear();
+  if (!m_health) return m_notice->clear();
+  // That it ended concerns also who looks at earlier frames, most of all while they are recorded.
+  const bool has_ended =
+      m_health->state == StreamHealth::State::Stalled || m_health->state == StreamHealth::State::Failed;
+  if (!follows && !has_ended) return m_notice->clear();
   const QString advice =
       m_health->diagnoses.empty() ? QString() : QString::fromStdString(m_health->diagnoses.front().text);
   const PerformerHealth* user_health = userHealth();

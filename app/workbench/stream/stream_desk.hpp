@@ -86,6 +86,7 @@ class StreamDesk : public QObject {
   SessionEngine* engine() const;
   void refuse(const Error& error);
   void look(const StreamUri& uri, const QString& text);
+  void leaveClip();
   bool receive();
   void leaveForm();
   void showLiveEnd();

@@ -68,6 +68,10 @@ RecordingFacts TakeDesk::facts() const {
 
 void TakeDesk::toggle() {
   if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
+  if (m_sequence.phase == Phase::Idle && m_window.session()->material().is_clip())
+    return m_window.messages().showInformation(
+        "A take is recorded of a live performer: connect a stream (Ctrl+K), or Live > Play the clip as live. "
+        "File > Export writes what the clip's partner does");
   if (m_sequence.phase == Phase::Idle)
     return begin(freshName(m_panel.typedName().toStdString()), m_panel.countdown());
   if (m_sequence.stop()) return endTake();
@@ -89,7 +93,7 @@ void TakeDesk::endWithStream() {
 }
 
 void TakeDesk::again() {
-  if (!m_window.session() || takes().empty()) return;
+  if (!m_window.session() || takes().empty() || m_window.session()->material().is_clip()) return;
   if (m_sequence.stop()) endTake();
   begin(again_name(takes().names()), 0);
 }

@@ -90,6 +90,21 @@ void FrameHistory::append(FrameSnapshotPtr frame) {
   }
 }
 
+void FrameHistory::put(FrameSnapshotPtr frame) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!frames_.empty() && frame->index <= frames_.back()->index) {
+      if (frame->index < frames_.front()->index) return;  // evicted meanwhile
+      FrameSnapshotPtr& before = frames_[frame->index - frames_.front()->index];
+      bytes_ += size_of(*frame);
+      bytes_ -= size_of(*before);
+      before.swap(frame);  // destroyed by the caller's thread, outside the lock
+      return;
+    }
+  }
+  append(std::move(frame));
+}
+
 void FrameHistory::keep_at_most(std::size_t max_bytes) {
   const std::scoped_lock lock(mutex_);
   max_bytes_ = max_bytes;

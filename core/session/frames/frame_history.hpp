@@ -23,6 +23,8 @@ class FrameHistory {
   explicit FrameHistory(std::size_t max_bytes = std::size_t{512} << 20);
 
   void append(FrameSnapshotPtr frame);
+  /// A frame that was solved again takes the place of the one with its index; a later one is appended.
+  void put(FrameSnapshotPtr frame);
   /// Drops the frames in memory.
   void clear();
   /// From now on; the newest frame is always kept.

@@ -27,7 +27,10 @@ void Playback::advance(double elapsed_s) {
     const Range repeated = range().value_or(all);
     if (repeated.length_s() > 0) return wrap(repeated);
   }
-  if (cursor_s >= last_s) {
+  if (cursor_s >= last_s && !is_live) {
+    cursor_s = last_s;
+    if (speed > 0) state = State::Parked;
+  } else if (cursor_s >= last_s) {
     // Slower than what comes in, it only waits there for more.
     speed < 1 ? void(cursor_s = last_s) : follow();
   } else if (cursor_s <= first_s && speed < 0) {
@@ -101,6 +104,7 @@ void Playback::toggle() {
 }
 
 void Playback::follow() {
+  if (!is_live) return seek(last_s);
   state = State::Following;
   speed = 1;
   cursor_s = last_s;

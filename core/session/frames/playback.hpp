@@ -26,6 +26,7 @@ struct Playback {
   static constexpr double slowest = 0.01, fastest = 10, fastest_shuttle = 8;
 
   State state = State::Following;
+  bool is_live = true;  ///< the end moves on; otherwise it is that of a clip or a take, where playing stops
   double cursor_s = 0;
   double speed = 1;    ///< negative plays backwards
   double first_s = 0;  ///< available range
@@ -55,7 +56,7 @@ struct Playback {
   void play();               ///< from the cursor; at the end, or outside a looped range, starts over
   void pause();              ///< parks where the cursor is
   void toggle();             ///< parks, or plays forward whatever the direction was before
-  void follow();             ///< goes to the live end and follows it
+  void follow();             ///< goes to the end, and follows it if it is live
   /// J, K, L: -1 backward, 0 stop, 1 forward; the same direction again doubles the speed up to 8.
   void shuttle(int direction);
   /// Moves `steps` up (negative: down) the list of usual speeds. Otherwise as set_speed.

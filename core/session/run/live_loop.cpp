@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -22,6 +23,8 @@ constexpr double intervals_until_loss = 3;  ///< of a slow source
 /// A source with a larger time difference to the session uses another clock.
 constexpr double same_clock_s = 1;
 constexpr double least_between_frames_s = 1e-6;
+constexpr double look_whether_learned_s = 0.05;
+constexpr std::uint64_t frames_after_seen = 8;
 
 double wanted_rate(const Settings& settings) {
   return settings.step_rate_hz > 0 ? settings.step_rate_hz : highest_rate_hz;
@@ -76,6 +79,10 @@ void LiveLoop::listen_to_source() {
   source_->on_arrival([wake_up = wake_up()] { wake_up->notify(); });
   source_body_.reset();
   take_measures();
+  if (source_->finite())
+    begin_clip();
+  else
+    note_progress({});
 }
 
 void LiveLoop::take_measures() {
@@ -101,10 +108,14 @@ void LiveLoop::attempt(const Action& action) {
 
 double LiveLoop::turn(double now_s) {
   if (waiting_since_s_ < 0) waiting_since_s_ = now_s;
+  bool is_other_answer = false, is_other_library = false;
   for (const Command& command : commands_.drain()) {
     attempt([&] { apply(command, now_s); });
     state_due_ = next_index_;
+    is_other_library = is_other_library || std::holds_alternative<ReplaceSynthesizer>(command);
+    is_other_answer = is_other_answer || is_other_library || changes_the_answer(command);
   }
+  if (source_->finite() && (control_.take_learned() || is_other_answer)) begin_clip_again(!is_other_library);
   if (rests(now_s)) {
     if (!trouble_.empty()) throw std::runtime_error(std::exchange(trouble_, {}));
     return output_.next_hold_s();
@@ -117,6 +128,8 @@ double LiveLoop::turn(double now_s) {
     wait_for_pose(now_s);
   }
   if (!trouble_.empty()) throw std::runtime_error(std::exchange(trouble_, {}));
+  if (source_->is_over())
+    return control_.is_learning() ? now_s + look_whether_learned_s : source_->next_due_s();
   const double attention_s = is_lost_ ? output_.next_hold_s() : waiting_since_s_ + loss_after_s();
   return std::min(source_->next_due_s(), attention_s);
 }
@@ -129,8 +142,9 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
     previous_time_s_ = -1;
     state_due_ = next_index_;
   }
+  const bool is_of_clip = source_->finite() != nullptr;
   attempt([&] {
-    if (control_.before_step(now_s)) state_due_ = next_index_;
+    if (control_.before_step(is_of_clip ? input.time_s : now_s)) state_due_ = next_index_;
   });
   const double elapsed = time_since_previous(input);
   if (is_first_of_source_) dropped_at_start_ = input.dropped;
@@ -151,16 +165,20 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
   snapshot->input_rate_hz = smoothed_interval_s_ > 0 ? 1.0 / smoothed_interval_s_ : source_->rate_hz();
   snapshot->dropped_inputs = dropped_before_ + dropped_now_;
   snapshot->result = synthesizer.step(input.pose, Duration(snapshot->elapsed_s));
-  snapshot->times = {.arrived_s = input.arrived_s,
-                     .assembled_s = input.assembled_s,
-                     .taken_s = now_s,
-                     .solved_s = clock_ ? clock_() : now_s};
+  if (!is_of_clip)
+    snapshot->times = {.arrived_s = input.arrived_s,
+                       .assembled_s = input.assembled_s,
+                       .taken_s = now_s,
+                       .solved_s = clock_ ? clock_() : now_s};
   const std::optional<Error> damage = snapshot->library->damage();
   if (damage) hold(*snapshot, latest_.newest(), damage->text());
-  if (damage ? output_.hold(snapshot->time_s)
-             : output_.send(snapshot->result, snapshot->library, snapshot->settings, synthesizer.user_body(),
-                            snapshot->time_s))
+  if (is_of_clip) {
+    // Its frames are not solved at the times at which a receiver would show them.
+  } else if (damage ? output_.hold(snapshot->time_s)
+                    : output_.send(snapshot->result, snapshot->library, snapshot->settings,
+                                   synthesizer.user_body(), snapshot->time_s)) {
     snapshot->times.sent_s = clock_ ? clock_() : now_s;
+  }
   has_solved_ = true;
   const FrameResult& solved = snapshot->result;
   control_.after_step(solved, input.pose, snapshot->time_s);
@@ -170,7 +188,9 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
 
 /// @return 0 for the first pose [s]
 double LiveLoop::time_since_previous(const SourcePose& input) {
-  const double elapsed = previous_time_s_ < 0 ? 0.0 : input.time_s - previous_time_s_;
+  // Of a clip without the rounding of its times.
+  const double since_s = source_->finite() ? 1 / source_->rate_hz() : input.time_s - previous_time_s_;
+  const double elapsed = previous_time_s_ < 0 ? 0.0 : since_s;
   if (elapsed > 0 && elapsed < loss_after_s())
     smoothed_interval_s_ +=
         (smoothed_interval_s_ > 0 ? interval_smoothing : 1.0) * (elapsed - smoothed_interval_s_);
@@ -181,6 +201,7 @@ double LiveLoop::time_since_previous(const SourcePose& input) {
 /// Frames of a session ascend in time, whatever the source's clock does. While a source catches up on a
 /// backlog its times are behind those that were given, so the frames get the times at which they are solved.
 double LiveLoop::frame_time(const SourcePose& input, double now_s) const {
+  if (source_->finite()) return input.time_s;
   const bool is_usable = std::abs(input.time_s - now_s) < same_clock_s && input.time_s > last_frame_s_;
   const double time_s = is_usable ? input.time_s : now_s;
   return last_frame_s_ < 0 ? time_s : std::max(time_s, last_frame_s_ + least_between_frames_s);
@@ -209,6 +230,7 @@ bool LiveLoop::rests(double now_s) {
 
 /// After a while without a pose one frame reports it, and the sinks are informed until poses return.
 void LiveLoop::wait_for_pose(double now_s) {
+  if (source_->is_over()) return;
   if (!is_lost_ && now_s - waiting_since_s_ >= loss_after_s()) {
     is_lost_ = true;
     if (has_solved_) publish_failure("the user is not tracked; the partner holds its last pose", now_s);
@@ -281,6 +303,49 @@ void LiveLoop::apply(const Command& command, double now_s) {
   is_held_ = replay && replay->is_paused();
 }
 
+// ---- a clip that is solved over its length ----
+
+std::optional<LiveLoop::ClipProgress> LiveLoop::clip_progress() const {
+  const std::scoped_lock lock(progress_mutex_);
+  return progress_;
+}
+
+void LiveLoop::note_progress(const std::optional<ClipProgress>& progress) {
+  const std::scoped_lock lock(progress_mutex_);
+  progress_ = progress;
+}
+
+/// From its first frame. The frames of before are seen until each is solved again.
+void LiveLoop::begin_clip() {
+  FiniteInput& clip = *source_->finite();
+  clip.begin_at(0);
+  control_.begin_again();
+  next_index_ = state_due_ = 0;
+  previous_time_s_ = last_frame_s_ = -1;
+  preview_end_.reset();
+  const std::uint64_t run = progress_ ? progress_->run + 1 : 1;
+  if (progress_ && progress_->frames != clip.frames()) history_.clear();  // at another rate
+  history_.keep_at_most(std::numeric_limits<std::size_t>::max());         // it has an end
+  note_progress(ClipProgress{0, clip.frames(), run, clip.last_s()});
+}
+
+/// @param with_state  the states in the frames are those of this library
+void LiveLoop::begin_clip_again(bool with_state) {
+  FiniteInput& clip = *source_->finite();
+  begin_clip();
+  if (!with_state) return;
+  const FrameSnapshotPtr seen = history_.at(seen_s_);
+  if (!seen || seen->index == 0) return;
+  const FrameHistory::SolvableAgain again = history_.solvable_again(seen->time_s, seen->time_s);
+  const FrameSnapshotPtr first = again.run_up.empty() ? seen : again.run_up.front();
+  if (!first->before) return;
+  control_.continue_from(*first->before);
+  clip.begin_at(first->time_s);
+  next_index_ = state_due_ = first->index;
+  previous_time_s_ = first->time_s - first->elapsed_s;
+  preview_end_ = seen->index + frames_after_seen;
+}
+
 std::shared_ptr<const SynthesizerState> LiveLoop::state_if_due() {
   if (next_index_ < state_due_) return nullptr;
   state_due_ = next_index_ + frames_between_states;
@@ -299,9 +364,17 @@ void LiveLoop::publish(std::shared_ptr<FrameSnapshot> snapshot) {
   snapshot->index = next_index_++;
   last_frame_s_ = snapshot->time_s;
   const FrameSnapshotPtr frozen = std::move(snapshot);
-  history_.append(frozen);
+  history_.put(frozen);
   latest_.publish(frozen);
   for (const auto& listener : listeners_) listener->frame_solved(frozen);
+  if (!progress_) return;
+  if (preview_end_) {
+    if (next_index_ >= *preview_end_ || source_->is_over()) begin_clip();
+    return;
+  }
+  ClipProgress progress = *progress_;
+  progress.solved = next_index_;
+  note_progress(progress);
 }
 
 void LiveLoop::publish_failure(const std::string& why, double now_s) {

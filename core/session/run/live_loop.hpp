@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,19 @@ class LiveLoop {
   bool is_held() const { return is_held_; }
   static constexpr double settling_s = 0.5;
 
+  /// How far the clip is solved that is solved over its length.
+  struct ClipProgress {
+    std::uint64_t solved = 0, frames = 0;
+    std::uint64_t run = 0;  ///< counts how often it was begun
+    double last_s = 0;      ///< time of its last frame
+    bool is_whole() const { return solved >= frames; }
+    bool operator==(const ClipProgress&) const = default;
+  };
+  /// None: the source is another. Thread-safe.
+  std::optional<ClipProgress> clip_progress() const;
+  /// The frame that is seen: those around it are the first that a change solves again. Thread-safe.
+  void look_at(double clip_time_s) { seen_s_ = clip_time_s; }
+
   /// Notified when a command or a pose came in.
   const std::shared_ptr<WakeUp>& wake_up() const { return commands_.wake_up(); }
 
@@ -62,6 +76,9 @@ class LiveLoop {
   double loss_after_s() const;
   std::shared_ptr<const SynthesizerState> state_if_due();
   void continue_counting();
+  void begin_clip_again(bool with_state);
+  void begin_clip();
+  void note_progress(const std::optional<ClipProgress>& progress);
   void publish(std::shared_ptr<FrameSnapshot> snapshot);
 
   SolverControl control_;
@@ -90,6 +107,10 @@ class LiveLoop {
   std::uint64_t dropped_before_ = 0;  ///< by previous sources
   std::uint64_t dropped_at_start_ = 0, dropped_now_ = 0;
   bool is_first_of_source_ = true;
+  std::atomic<double> seen_s_ = 0;
+  std::optional<std::uint64_t> preview_end_;  ///< index after the frames solved first, because they are seen
+  mutable std::mutex progress_mutex_;
+  std::optional<ClipProgress> progress_;
   std::string trouble_;  ///< what failed in this turn; thrown at its end
 };
 

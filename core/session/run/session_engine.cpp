@@ -226,6 +226,14 @@ bool SessionEngine::is_held() const {
   return parts_->solver.is_held();
 }
 
+std::optional<LiveLoop::ClipProgress> SessionEngine::clip_progress() const {
+  return parts_->solver.clip_progress();
+}
+
+void SessionEngine::look_at(double clip_time_s) {
+  parts_->solver.look_at(clip_time_s);
+}
+
 // ---- stream in ----
 
 Status SessionEngine::receive(const StreamUri& uri, const std::string& performer,

@@ -11,6 +11,7 @@
 #include "core/session/frames/frame_history.hpp"
 #include "core/session/frames/latest_slot.hpp"
 #include "core/session/run/history_keeper.hpp"
+#include "core/session/run/live_loop.hpp"
 #include "core/session/run/meant_choices.hpp"
 #include "core/session/run/recorder.hpp"
 #include "core/session/run/session_openers.hpp"
@@ -42,6 +43,10 @@ class SessionEngine {
   const FrameHistory& history() const;
   const LatestSlot<FrameSnapshot>& latest() const;
   const SessionClock& clock() const;
+  /// How far the clip is solved that is solved over its length; none: the input is another.
+  std::optional<LiveLoop::ClipProgress> clip_progress() const;
+  /// The time of the frame that is seen: around it a change is solved first.
+  void look_at(double clip_time_s);
   /// Whether the clip that plays the user is held: nothing is recorded until it continues.
   bool is_held() const;
 

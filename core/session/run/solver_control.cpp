@@ -102,6 +102,11 @@ void SolverControl::set_vetoes(const Vetoes& vetoes) {
 }
 
 void SolverControl::intend(const std::optional<IntendedMove>& move) {
+  asked_move_ = move;
+  follow(move);
+}
+
+void SolverControl::follow(const std::optional<IntendedMove>& move) {
   Decisions wanted = current_;
   wanted.meant = move;
   decide(wanted);
@@ -121,6 +126,7 @@ void SolverControl::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   synthesizer->set_settings(synthesizer_->settings());  // may throw; nothing is changed yet
   const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
+  if (!current_.meant) asked_move_.reset();
   could_not_learn_ = {};
   apply(before->settings());
   synthesizer_->pin_pair(current_.pinned);
@@ -136,10 +142,34 @@ bool SolverControl::is_over(const IntendedMove& move, double now_s) const {
   return (move.until_s >= 0 && now_s >= move.until_s) || (move.until_done && move_is_done_);
 }
 
+void SolverControl::begin_again() {
+  synthesizer_->reset();
+  if (asked_move_ != current_.meant) follow(asked_move_);
+  followed_pair_ = -1;
+  move_is_done_ = false;
+  // Another role than the synthesizer's is taken before the next step.
+  role_switch_ = RoleSwitch(synthesizer_->views(), asked_role_);
+  role_switch_.control(current_.role_control, asked_role_);
+}
+
+void SolverControl::continue_from(const SynthesizerState& state) {
+  synthesizer_->restore(state);
+  synthesizer_->pin_pair(current_.pinned);
+  synthesizer_->set_vetoes(current_.vetoes);
+  synthesizer_->set_intended(pairs_of(current_.meant));
+}
+
+bool SolverControl::take_learned() {
+  if (!is_learning() || possible_selection(synthesizer_->settings().user_role) != asked_selection_)
+    return false;
+  apply(synthesizer_->settings());
+  return true;
+}
+
 bool SolverControl::before_step(double now_s) {
   bool changed = false;
   if (current_.meant && is_over(*current_.meant, now_s)) {
-    intend(std::nullopt);
+    follow(std::nullopt);
     changed = true;
   }
   if (synthesizer_->settings().user_role != role_switch_.role() && can_take(role_switch_.role())) {
@@ -148,10 +178,7 @@ bool SolverControl::before_step(double now_s) {
     apply(settings);
     changed = true;
   }
-  if (is_learning() && possible_selection(synthesizer_->settings().user_role) == asked_selection_) {
-    apply(synthesizer_->settings());
-    changed = true;
-  }
+  changed = take_learned() || changed;
   if (!unreported_.empty()) throw std::runtime_error(std::exchange(unreported_, {}));
   return changed;
 }

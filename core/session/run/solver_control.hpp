@@ -29,6 +29,13 @@ class SolverControl {
   /// library. Both bodies continue from where they are.
   void replace(std::shared_ptr<PartnerSynthesizer> synthesizer);
 
+  /// As at the beginning, with everything that was asked for since: the next step is a first one.
+  void begin_again();
+  /// From a state of this library, with what is asked for now.
+  void continue_from(const SynthesizerState& state);
+  /// Selects as asked once the library is learned. @return whether that changed now
+  bool take_learned();
+
   /// Before a step: releases an intended move that has ended and applies a due change of role.
   /// @return whether anything changed
   bool before_step(double now_s);
@@ -46,16 +53,18 @@ class SolverControl {
   void apply(Settings wanted);
   SelectionMethod possible_selection(UserRole role);
   void decide(const Decisions& decisions);
+  void follow(const std::optional<IntendedMove>& move);
   bool is_over(const IntendedMove& move, double now_s) const;
   void watch_move(const FrameResult& result);
 
   std::shared_ptr<PartnerSynthesizer> synthesizer_;
   Decisions current_;
   std::shared_ptr<const Decisions> decisions_;
-  UserRole asked_role_;                    ///< by the hand
-  SelectionMethod asked_selection_;        ///< by the hand
-  std::array<bool, 2> could_not_learn_{};  ///< by role; until requested again
-  std::string unreported_;                 ///< unreported reason, thrown after the next step's changes
+  UserRole asked_role_;                     ///< by the hand
+  std::optional<IntendedMove> asked_move_;  ///< also when it is over
+  SelectionMethod asked_selection_;         ///< by the hand
+  std::array<bool, 2> could_not_learn_{};   ///< by role; until requested again
+  std::string unreported_;                  ///< unreported reason, thrown after the next step's changes
   RoleSwitch role_switch_;
   int followed_pair_ = -1;  ///< pair of the intended move followed last
   bool move_is_done_ = false;

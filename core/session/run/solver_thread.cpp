@@ -37,7 +37,7 @@ class FailureNotes {
 };
 
 void run(LiveLoop& loop, const SessionClock& clock, const std::stop_token& stop) {
-  let_this_thread_go_first(usual_step_s);
+  if (!loop.clip_progress()) let_this_thread_go_first(usual_step_s);  // of a clip nobody waits for a frame
   const std::stop_callback wake_to_stop(stop, [&] { loop.wake_up()->notify(); });
   FailureNotes failures(loop);
   while (!stop.stop_requested()) {

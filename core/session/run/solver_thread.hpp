@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "core/base/session_clock.hpp"
@@ -15,6 +16,8 @@ class SolverThread {
   explicit SolverThread(std::unique_ptr<LiveLoop> loop, SessionClock clock = SessionClock());
 
   bool is_held() const { return loop_->is_held(); }
+  std::optional<LiveLoop::ClipProgress> clip_progress() const { return loop_->clip_progress(); }
+  void look_at(double clip_time_s) { loop_->look_at(clip_time_s); }
 
  private:
   std::unique_ptr<LiveLoop> loop_;

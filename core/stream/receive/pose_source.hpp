@@ -31,6 +31,17 @@ class ReplayControl {
   virtual void set_speed(double factor, double now_s) = 0;
 };
 
+/// A clip that is solved once over its length, as fast as that goes: `poll` has its next frame whenever it is
+/// asked, with the clip's own times, and nothing after the last.
+class FiniteInput {
+ public:
+  virtual ~FiniteInput() = default;
+  /// The next pose is that of this time; 0 = the first.
+  virtual void begin_at(double clip_time_s) = 0;
+  virtual std::uint64_t frames() const = 0;
+  virtual double last_s() const = 0;  ///< time of the last frame
+};
+
 /// Source of the user's motion. Polled by the solver thread with the session clock.
 class PoseSource {
  public:
@@ -46,6 +57,10 @@ class PoseSource {
   virtual std::optional<Body> body() const { return std::nullopt; }
   /// Null for a device.
   virtual ReplayControl* replay() { return nullptr; }
+  /// Null unless its frames are solved as fast as that goes.
+  virtual FiniteInput* finite() { return nullptr; }
+  /// Whether no pose comes before another source does: then the user is not lost, there is none.
+  virtual bool is_over() const { return false; }
   /// The callback is called from another thread on arrival of a pose, so that no polling is needed.
   virtual void on_arrival(std::function<void()> called) { static_cast<void>(std::move(called)); }
 };

@@ -13,6 +13,7 @@ class SilentSource : public PoseSource {
   double next_due_s() const override { return std::numeric_limits<double>::infinity(); }
   double rate_hz() const override { return 0; }
   void set_max_rate(double) override {}
+  bool is_over() const override { return true; }
 };
 
 }  // namespace abrazo

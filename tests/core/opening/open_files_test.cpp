@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "core/base/atomic_file.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/opening/generated_set.hpp"
 #include "core/opening/joint_maps.hpp"
 #include "core/opening/prepared_solver.hpp"
@@ -46,6 +50,27 @@ TEST_F(OpenFiles, AMotionReplacesTheUserAndKeepsTheLibrary) {
   EXPECT_TRUE(material->is_input_asked);
   EXPECT_TRUE(opened({motion, manifest})->is_input_asked) << "with another library, too";
   EXPECT_FALSE(opened({manifest}, *material)->is_input_asked);
+}
+
+/// Frames of 60 Hz that are played at a guessed 120 dance twice as fast as the library's takes beside them.
+TEST_F(OpenFiles, WhatAMotionDoesNotSayIsReadAsTheLibraryOfItsFolderWas) {
+  Manifest timed = *read_manifest(manifest);
+  for (Manifest::Take& take : timed.takes) take.fps = 50;
+  const std::string library = file("timed.json");
+  ASSERT_TRUE(write_whole_file(library, manifest_json(timed, std::filesystem::path(library).parent_path())));
+  std::string text = *read_whole_file(motion);
+  const std::size_t at = text.find("Frame Time:");
+  text.replace(at, text.find('\n', at) - at, "Frame Time: 0");
+  const std::string untimed = file("captures/untimed.bvh");
+  ASSERT_TRUE(write_whole_file(untimed, text));
+  EXPECT_EQ(opened({untimed})->input.fps, 120) << "guessed";
+  const auto together = opened({untimed, library});
+  ASSERT_TRUE(together) << together.error().text();
+  EXPECT_EQ(together->input.fps, 50);
+  EXPECT_THAT(together->warnings,
+              Contains(HasSubstr("read as the takes of the library: 50 frames per second")));
+  EXPECT_EQ(opened({untimed}, *opened({library}))->input.fps, 50) << "the open library, too";
+  EXPECT_EQ(opened({motion, library})->input.fps, opened({motion})->input.fps) << "what the file says holds";
 }
 
 TEST_F(OpenFiles, AMotionByItselfIsAnsweredByTheGeneratedDanceWhichIsSaid) {

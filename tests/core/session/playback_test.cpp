@@ -43,6 +43,26 @@ TEST(Playback, ReachingTheLiveEndFollowsIt) {
   EXPECT_EQ(p.cursor_s, 10);
 }
 
+TEST(Playback, WhatHasAnEndStopsThere) {
+  Playback clip;
+  clip.is_live = false;
+  clip.extend(0, 10);
+  clip.seek(9.5);
+  clip.play();
+  clip.advance(2);
+  EXPECT_EQ(clip.state, Playback::State::Parked);
+  EXPECT_EQ(clip.cursor_s, 10);
+  clip.seek(3);
+  clip.follow();
+  EXPECT_EQ(clip.state, Playback::State::Parked) << "nothing comes that could be followed";
+  EXPECT_EQ(clip.cursor_s, 10);
+  clip.loop = true;
+  clip.play();
+  clip.advance(12);
+  EXPECT_EQ(clip.state, Playback::State::Playing) << "a loop is a choice";
+  EXPECT_NEAR(clip.cursor_s, 2, 1e-9);
+}
+
 TEST(Playback, InAndOutComeBackAsTheyWereSet) {
   Playback p = playback(State::Parked, 4);
   p.set_in();

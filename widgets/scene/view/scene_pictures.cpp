@@ -39,12 +39,12 @@ void ScenePictures::open(QSize size) {
 void ScenePictures::begin(const FrameSnapshotPtr& frame) {
   m_scene->showFrame(frame);
   if (frame->result.selected < 0) m_scene->frameAll();  // else the scene has done it by itself
-  m_scene->showAs(*m_scene, m_captions);
+  m_scene->becomePicture(m_captions);
   if (const auto& direction = m_look->direction) {
     m_scene->lookFrom((*direction)[0], (*direction)[1]);
-    m_scene->showAs(*m_scene, m_captions);
+    m_scene->becomePicture(m_captions);
     m_scene->frameAll();
-    m_scene->showAs(*m_scene, m_captions);
+    m_scene->becomePicture(m_captions);
   }
   m_look.reset();
 }

@@ -59,9 +59,11 @@ class SceneView : public QWidget {
   void renderSharp();
   /// A new picture without overlays. @param background absent: from the palette
   QImage picture(const std::optional<QColor>& background = {});
-  /// Copies the setup of another view, for pictures of another size: no interaction, and the camera follows
-  /// the pair by the frames' time, so that the same frames give the same pictures.
+  /// Copies the setup of another view, for pictures of another size, and becomes a picture.
   void showAs(const SceneView& other, bool captions);
+  /// No interaction, a camera that has arrived, and that follows the pair by the frames' time: the same
+  /// frames give the same pictures.
+  void becomePicture(bool captions);
   /// Part of the view where bars may come and go: they cover no control there.
   QRect noticeRoom() const;
   /// Frames that reached the screen since the start.

@@ -39,6 +39,13 @@ void SceneView::showAs(const SceneView& other, bool captions) {
   p.move.reset();
   p.framed = o.framed;
   p.following = o.following;
+  becomePicture(captions);
+}
+
+void SceneView::becomePicture(bool captions) {
+  Parts& p = *m_parts;
+  if (p.move) p.camera = p.move->to;
+  p.move.reset();
   p.by_frame_time = true;
   p.followed_s.reset();
   p.chips->hide();
