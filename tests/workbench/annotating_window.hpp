@@ -80,6 +80,11 @@ class Annotating : public DemoWindow {
     QTest::mouseRelease(&timeline(), Qt::LeftButton, held, at(to_s, id));
     turn();
   }
+  /// Its edges can be dragged then.
+  static void select(int id) {
+    window().document().selectLabel(id);
+    turn();
+  }
   static ValuePicker* open_picker() {
     auto* picker = window().findChild<ValuePicker*>();
     return picker && picker->isVisible() ? picker : nullptr;

@@ -135,8 +135,32 @@ TEST_F(Annotating, EscapeAtTheQuestionDrawsNothing) {
   EXPECT_TRUE(labels().empty());
 }
 
+/// It was made longer, and the name that was typed for the new one went to the keys of the session.
+TEST_F(Annotating, ALabelThatIsBegunAtTheEndOfAnotherIsANewOne) {
+  const int id = add(3, 5, "one");
+  select(0);
+  drag(5, 7);
+  EXPECT_NEAR(label(id).end_s, 5, 1e-9);
+  ASSERT_TRUE(open_picker()) << "what is typed now is its value";
+  choose(Qt::Key_1);
+  EXPECT_EQ(labels().size(), 2U);
+}
+
+TEST_F(Annotating, LettersOfOtherTasksDoNothingInTheTimeline) {
+  add(3, 5, "one");
+  const UserRole role = window().document().settings().user_role;
+  timeline().setFocus();
+  key(Qt::Key_U);
+  EXPECT_EQ(window().document().settings().user_role, role);
+  EXPECT_TRUE(window().messages().text().contains("does nothing while you annotate"));
+  key(Qt::Key_I);
+  EXPECT_TRUE(ticker().playback().in_set) << "keys of the timeline go on";
+  ticker().clearIn();
+}
+
 TEST_F(Annotating, AnEdgeAndTheMiddleCanBeDragged) {
   const int id = add(3, 5, "one");
+  select(id);
   drag(5, 7);
   EXPECT_NEAR(label(id).end_s, 7, 0.05);
   EXPECT_TRUE(on_frame(label(id).end_s));
@@ -148,6 +172,7 @@ TEST_F(Annotating, AnEdgeAndTheMiddleCanBeDragged) {
 
 TEST_F(Annotating, AnEdgeSnapsToTheCursorUnlessAltIsHeld) {
   const int id = add(3, 5, "one");
+  select(id);
   ticker().seek(6.1);
   turn();
   const double near_s = 6.1 + 3 * timeline().axis().seconds_per_pixel();
@@ -159,6 +184,7 @@ TEST_F(Annotating, AnEdgeSnapsToTheCursorUnlessAltIsHeld) {
 
 TEST_F(Annotating, WhatIsInTheWayIsCutPushedOrRefuses) {
   const int first = add(3, 5, "one"), second = add(6, 8, "two");
+  select(first);
   window().document().setConflict(Conflict::Refuse);
   drag(5, 7);
   EXPECT_NEAR(label(first).end_s, 5, 1e-9);

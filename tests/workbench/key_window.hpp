@@ -121,6 +121,7 @@ class KeyWindow : public testing::Test {
     window->resize(1500, 950);
     add_all_actions(*window);
     window->show();
+    window->setPlaysAsLive(true);
     window->openDemo();
     until([] { return playback().last_s > 3; });
   }

@@ -69,8 +69,8 @@ TEST_F(Layout, PanelsAreFloatedMovedAndClosedAndTheSceneKeepsItsParent) {
   area().addDockWidget(Qt::LeftDockWidgetArea, &panel("candidates"));
   area().tabifyDockWidget(&panel("scene"), &panel("library"));
   area().want("plots", false);
-  layouts().choose("Present");
-  layouts().choose("Explore");
+  layouts().choose("Live");
+  layouts().choose("Inspect");
   window().resize(700, 420);
   QTest::qWait(20);
   EXPECT_EQ(window().scene().parentWidget(), parent);
@@ -183,7 +183,7 @@ TEST_F(Layout, ABrokenOrForeignArrangementIsToldAndTheUsualOneIsShown) {
       {"{\"abrazo_layout\": 1, \"docks\": \"AAAA\", \"shown\": []}", "does not fit"}};
   for (const auto& [content, message] : cases) {
     area().want("plots", false);
-    write(remembered().folder() + "/layout.json", content);
+    write(remembered().folder() + "/layout-inspect.json", content);
     EXPECT_FALSE(layouts().restoreLast());
     EXPECT_TRUE(window().messages().text().contains(message)) << window().messages().text().toStdString();
     EXPECT_TRUE(panel("plots").isVisible());
@@ -289,16 +289,37 @@ TEST_F(Layout, APanelThatALayoutDoesNotKnowStandsInItsUsualPlace) {
   EXPECT_EQ(side("plots"), Qt::BottomDockWidgetArea);
 }
 
-TEST_F(Layout, BuiltInArrangements) {
-  layouts().choose("Present");
-  for (const QDockWidget* each : area().panels())
-    EXPECT_FALSE(each->isVisible()) << each->objectName().toStdString();
-  layouts().choose("Tune");
-  EXPECT_TRUE(panel("settings").isVisible());
-  EXPECT_FALSE(panel("scene").isVisible());
-  layouts().choose("Explore");
-  EXPECT_TRUE(panel("scene").isVisible());
-  EXPECT_FALSE(layouts().save("Explore")) << "a built-in name cannot be taken";
+TEST_F(Layout, EachTaskHasItsPanelsAndKeepsWhatAPersonChanged) {
+  layouts().choose("Annotate");
+  EXPECT_TRUE(panel("annotation").isVisible());
+  EXPECT_FALSE(area().isWanted("plots"));
+  EXPECT_FALSE(area().isWanted("settings"));
+  area().want("plots", true);
+  layouts().choose("Live");
+  EXPECT_TRUE(area().isWanted("connection"));
+  EXPECT_TRUE(area().isWanted("recording"));
+  EXPECT_FALSE(area().isWanted("candidates"));
+  layouts().choose("Annotate");
+  EXPECT_TRUE(area().isWanted("plots")) << "as it was left";
+  layouts().reset();
+  EXPECT_FALSE(area().isWanted("plots"));
+  layouts().choose("Inspect");
+  for (const char* id : {"scene", "candidates", "settings", "plots"}) EXPECT_TRUE(area().isWanted(id)) << id;
+  EXPECT_FALSE(layouts().save("Inspect")) << "a built-in name cannot be taken";
+}
+
+TEST_F(Layout, AStreamAndATakeBringTheirTaskAndATakeThatIsLeftGivesItBack) {
+  layouts().showTake(true);
+  EXPECT_EQ(layouts().task(), "Inspect") << "nobody is there whose work could be followed";
+  layouts().setFollowsWork(true);
+  layouts().showTake(true);
+  EXPECT_EQ(layouts().task(), "Annotate");
+  layouts().showTake(false);
+  EXPECT_EQ(layouts().task(), "Inspect");
+  layouts().beginLive();
+  EXPECT_EQ(layouts().task(), "Live");
+  layouts().setFollowsWork(false);
+  layouts().choose("Inspect");
 }
 
 TEST_F(Layout, ASmallWindowHidesPanelsWithoutForgettingThem) {

@@ -142,6 +142,8 @@ TEST(ShortcutTable, SomethingElseThanAListOfShortcutsIsTold) {
 TEST(ShortcutId, IsMadeOfMenuAndWords) {
   EXPECT_EQ(action_id("View > Layouts", "Save layout…"), "view_layouts.save_layout");
   EXPECT_EQ(action_id("Play", "Play or pause"), "play.play_or_pause");
+  EXPECT_EQ(action_id("Timeline > Play", "Play or pause"), "play.play_or_pause")
+      << "wherever its menu stands";
 }
 
 }  // namespace

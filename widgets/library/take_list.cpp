@@ -179,6 +179,10 @@ void TakeList::setBelief(const FrameIntent& intent) {
   m_model->setBelief(intent);
 }
 
+void TakeList::showOtherFrames() {
+  m_model->beginCoverage();
+}
+
 void TakeList::refresh(const FrameHistory& history) {
   if (!m_model->coverage().append_new(history)) return;
   m_model->coverageChanged();

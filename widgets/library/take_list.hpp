@@ -56,6 +56,8 @@ class TakeList : public QWidget {
   void setBelief(const abrazo::FrameIntent& intent);
   /// Reads the new frames of the session.
   void refresh(const abrazo::FrameHistory& history);
+  /// All frames are others: those of a clip that was solved again.
+  void showOtherFrames();
   /// Typical distance of the library's pairs [m]; none = unknown.
   void setTypicalDistance(std::optional<double> distance_m);
 

@@ -36,6 +36,11 @@ void TakeModel::setColours(const Palette& palette) {
   coverageChanged();
 }
 
+void TakeModel::beginCoverage() {
+  m_coverage.begin(m_library);
+  coverageChanged();
+}
+
 void TakeModel::changed(int take) {
   if (take >= 0 && take < rowCount()) emit dataChanged(index(take), index(take));
 }

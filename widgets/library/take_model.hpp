@@ -23,6 +23,8 @@ class TakeModel : public QAbstractListModel {
  public:
   explicit TakeModel(QObject* parent = nullptr);
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  /// Counts from the first frame again: they were solved anew.
+  void beginCoverage();
   void setColours(const Palette& palette);
   const std::shared_ptr<const MotionLibrary>& library() const { return m_library; }
   const TakeRow& row(int take) const { return m_rows[static_cast<std::size_t>(take)]; }

@@ -48,6 +48,9 @@ class UserSettings {
   void setRecentStreams(const QStringList& uris) { m_store.setValue("live/streams", uris); }
   QStringList recentSinks() const { return m_store.value("live/sinks").toStringList(); }
   void setRecentSinks(const QStringList& uris) { m_store.setValue("live/sinks", uris); }
+  /// Whose layout the window had.
+  QString task() const { return m_store.value("window/task").toString(); }
+  void setTask(const QString& task) { m_store.setValue("window/task", task); }
   bool welcome() const { return m_store.value("window/welcome", true).toBool(); }
   void setWelcome(bool at_start) { m_store.setValue("window/welcome", at_start); }
   QString takeName() const { return m_store.value("takes/name").toString(); }

@@ -25,12 +25,15 @@ SessionClock clock_of(const Material& material) {
 
 }  // namespace
 
-QString title_of_input(const Material& material) {
-  const QString name = QString::fromStdString(material.input.name);
+QString name_of_input(const Material& material) {
   if (material.use == InputUse::Stream) return "no stream";
-  return QString("%1 %2 · %3 Hz")
-      .arg(material.input_plays() ? "clip" : "recorded", name)
-      .arg(material.input.fps, 0, 'f', 0);
+  return (material.input_plays() ? "clip " : "recorded ") + QString::fromStdString(material.input.name);
+}
+
+QString title_of_input(const Material& material) {
+  const QString name = name_of_input(material);
+  return material.use == InputUse::Stream ? name
+                                          : name + QString(" · %1 Hz").arg(material.input.fps, 0, 'f', 0);
 }
 
 LiveSession::LiveSession(PreparedSolver prepared)

@@ -11,7 +11,9 @@
 
 namespace abrazo::app {
 
-/// What plays the user while no stream does: "clip salsa 02 · 120 Hz".
+/// What plays the user while no stream does: "clip salsa 02".
+QString name_of_input(const Material& material);
+/// "clip salsa 02 · 120 Hz".
 QString title_of_input(const Material& material);
 
 /// The session of a window: a running engine and its material. The destructor ends it.

@@ -120,10 +120,7 @@ void add_command_search(QMainWindow& window) {
   field->setCompleter(completer);
   new FillOnFocus(window, field, model);
   new LeaveOnEscape(field, completer->popup());
-  auto* holder = new QWidget(&window);
-  auto* row = widgets::row_in(holder, {0, 0, 12, 0});
-  row->addWidget(field);
-  window.menuBar()->setCornerWidget(holder, Qt::TopRightCorner);
+  title_row(window).addWidget(field);
 
   // Return reaches both the list and the field: what it switched on would be off again.
   const auto runs = std::make_shared<bool>(false);

@@ -6,6 +6,7 @@
 
 class QAction;
 class QMainWindow;
+class QHBoxLayout;
 class QMenu;
 class QString;
 class QUndoStack;
@@ -46,6 +47,9 @@ struct Rooms {
 };
 /// Adds all actions in menu order, for the program and for tests of the whole window.
 Rooms add_all_actions(MainWindow& window);
+
+/// What stands at the right of the menus.
+QHBoxLayout& title_row(QMainWindow& window);
 
 /// The menu of the menu bar with this title, made by the first call.
 QMenu* menu_of(QMainWindow& window, const QString& title);

@@ -58,7 +58,7 @@ void show_session(MainWindow& window) {
   const auto from = material.input_plays() ? widgets::UserInput::Clip : widgets::UserInput::None;
   window.transport().setInput(title_of_input(material));
   window.transport().showUserInput(from);
-  window.status().setInput({title_of_input(material), from, material.input.fps},
+  window.status().setInput({name_of_input(material), from, material.input.fps},
                            material.library->pair_count());
   window.setWindowTitle(input + " with " + library + " — Abrazo");
   window.ticker().setLibrary(material.library);

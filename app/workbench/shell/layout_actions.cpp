@@ -1,7 +1,10 @@
 #include <QAction>
+#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMenu>
 #include <QScreen>
+#include <QSignalBlocker>
+#include <QTabBar>
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/layouts.hpp"
@@ -36,6 +39,39 @@ void fill(MainWindow& window, const Layouts& layouts, QMenu* menu, QAction* befo
   }
 }
 
+/// In the row of the menus, as long as the menus have room beside them.
+class TaskTabs : public QTabBar {
+ public:
+  TaskTabs(QMainWindow& window, Layouts& layouts) : m_window(window) {
+    setAccessibleName("Task");
+    setDrawBase(false);
+    setExpanding(false);
+    setFocusPolicy(Qt::TabFocus);
+    for (const QString& task : Layouts::builtIn()) setTabToolTip(addTab(task), "The panels for this task");
+    connect(this, &QTabBar::currentChanged, &layouts,
+            [this, &layouts](int tab) { layouts.choose(tabText(tab)); });
+    connect(&layouts, &Layouts::taskChanged, this, [this](const QString& task) {
+      const QSignalBlocker quiet(this);
+      setCurrentIndex(static_cast<int>(Layouts::builtIn().indexOf(task)));
+    });
+    window.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    constexpr int least_width = 1000;
+    if (watched == &m_window && event->type() == QEvent::Resize) setVisible(m_window.width() >= least_width);
+    return QTabBar::eventFilter(watched, event);
+  }
+
+ private:
+  QMainWindow& m_window;
+};
+
+void add_tabs(MainWindow& window, Layouts& layouts) {
+  title_row(window).insertWidget(0, new TaskTabs(window, layouts));
+}
+
 }  // namespace
 
 Layouts& add_layout_actions(MainWindow& window) {
@@ -47,7 +83,8 @@ Layouts& add_layout_actions(MainWindow& window) {
   QAction* end_of_own = menu->addSeparator();
   add_action(window, menu, "Save layout…", {}, [&window, layouts] { ask_name_and_save(window, *layouts); });
   QMenu* remove = menu->addMenu("Delete layout");
-  add_action(window, menu, "Reset layout", {}, [&window] { window.resetLayout(); });
+  add_action(window, menu, "Reset layout", {}, [layouts] { layouts->reset(); });
+  add_tabs(window, *layouts);
   const auto refill = [&window, menu, remove, end_of_own, layouts] {
     fill(window, *layouts, menu, end_of_own,
          "Layout: ", [layouts](const QString& name) { layouts->choose(name); });

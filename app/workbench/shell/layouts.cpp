@@ -14,10 +14,6 @@
 namespace abrazo::app {
 namespace {
 
-QString last_file(const MainWindow& window) {
-  return window.remembered().folder() + "/layout.json";
-}
-
 QString folder_of(const MainWindow& window) {
   return window.remembered().folder() + "/layouts";
 }
@@ -42,20 +38,50 @@ bool Layouts::tell(const Status& done) {
   return bool(done);
 }
 
+QString Layouts::fileOfTask(const QString& task) const {
+  return m_window.remembered().folder() + "/layout-" + task.toLower() + ".json";
+}
+
 void Layouts::showOnly(const QStringList& panels) {
   PanelArea& area = m_window.panels();
-  area.reset();
   for (QDockWidget* panel : area.panels())
-    if (area.isWanted(panel->objectName()) && !panels.contains(panel->objectName()))
-      area.want(panel->objectName(), false);
+    area.want(panel->objectName(), panels.contains(panel->objectName()));
+}
+
+void Layouts::reset() {
+  m_window.resetLayout();
+  if (m_task == "Annotate") {
+    showOnly({"library", "annotation"});
+    m_window.makeRoomForLanes();
+  }
+  if (m_task == "Live") showOnly({"scene", "connection", "recording", "latency"});
 }
 
 bool Layouts::choose(const QString& name) {
   if (!builtIn().contains(name)) return restore(fileOf(name));
-  m_window.resetLayout();
-  if (name == "Tune") showOnly({"candidates", "settings", "plots"});
-  if (name == "Present") showOnly({});
+  m_before.clear();
+  if (name == m_task) return true;
+  m_kept[m_task] = m_window.layoutOfPanels();
+  m_task = name;
+  const auto kept = m_kept.find(name);
+  if (kept == m_kept.end() || !m_window.setLayoutOfPanels(kept->second)) reset();
+  emit taskChanged(name);
   return true;
+}
+
+void Layouts::beginLive() {
+  if (m_followsWork) choose("Live");
+}
+
+void Layouts::showTake(bool on) {
+  if (!m_followsWork) return;
+  if (on && m_task != "Annotate") {
+    const QString before = m_task;
+    choose("Annotate");
+    m_before = before;
+  } else if (!on && !m_before.isEmpty()) {
+    choose(QString(m_before));
+  }
 }
 
 bool Layouts::save(const QString& name) {
@@ -88,16 +114,32 @@ bool Layouts::restore(const QString& file) {
 }
 
 bool Layouts::restoreLast() {
-  const QString file = last_file(m_window);
-  if (!QFile::exists(file)) return false;
+  for (const QString& task : builtIn()) {
+    const auto text = read_whole_file(fileOfTask(task).toStdString());
+    const auto layout = text ? parse_layout(QByteArray::fromStdString(*text), fileOfTask(task).toStdString())
+                             : Result<WindowLayout>(text.error());
+    if (layout) m_kept[task] = *layout;
+  }
+  const QString last = m_window.remembered().task();
+  if (builtIn().contains(last)) m_task = last;
+  emit taskChanged(m_task);
+  const QString file = fileOfTask(m_task);
+  if (!QFile::exists(file)) {
+    if (m_task != "Inspect") reset();
+    return false;
+  }
   if (restore(file)) return true;
-  m_window.resetLayout();
+  reset();
   return false;
 }
 
 bool Layouts::saveLast() {
-  return bool(
-      write_whole_file(last_file(m_window).toStdString(), text_of(m_window.layoutOfPanels()).toStdString()));
+  m_window.remembered().setTask(m_task);
+  m_kept[m_task] = m_window.layoutOfPanels();
+  bool saved = true;
+  for (const auto& [task, layout] : m_kept)
+    saved = write_whole_file(fileOfTask(task).toStdString(), text_of(layout).toStdString()).ok() && saved;
+  return saved;
 }
 
 }  // namespace abrazo::app

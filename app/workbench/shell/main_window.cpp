@@ -256,6 +256,7 @@ void MainWindow::showSolvedAgain() {
   if (clip->run == 1) return;
   m_plots->clear();
   m_timeline->showOtherFrames();
+  m_takes->showOtherFrames();
 }
 
 void MainWindow::showPanels() {

@@ -7,6 +7,7 @@
 #include "app/workbench/labels/label_key_filter.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/layouts.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
 #include "app/workbench/takes/pair_desk.hpp"
@@ -59,6 +60,11 @@ Rooms add_all_actions(MainWindow& window) {
   add_recent_actions(window);
   ProjectDesk& project = add_project_actions(window, takes);
   QObject::connect(&takes.panel(), &widgets::TakePanel::saveAsRequested, &project, &ProjectDesk::askSaveAs);
+  QObject::connect(&streams, &StreamDesk::connectionChanged, &layouts, [&streams, &layouts] {
+    if (streams.isConnected()) layouts.beginLive();
+  });
+  QObject::connect(&window.document(), &Document::subjectChanged, &layouts,
+                   [&window, &layouts] { layouts.showTake(!window.document().subject().empty()); });
   auto* shortcuts = new Shortcuts(window);
   add_help_actions(window, *shortcuts);
   add_welcome_actions(window);

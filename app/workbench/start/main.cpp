@@ -8,6 +8,7 @@
 #include "app/workbench/base/user_settings.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/layouts.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/allocation.hpp"
 #include "app/workbench/start/command_line.hpp"
@@ -127,6 +128,7 @@ int main(int argc, char** argv) {
   if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);
   if (!asked.unattended()) {
     rooms.project.setAsks(true);
+    rooms.layouts.setFollowsWork(true);
     app::offer_leftovers(window, rooms.leftovers);
   }
   if (!asked.listen.empty()) rooms.streams.connectTo(QString::fromStdString(asked.listen));

@@ -377,7 +377,7 @@ void StreamDesk::showInput() {
     nameInput(title_of_input(material));
     m_window.sceneTree().setInputName(material.input_plays() ? "clip" : "recorded");
     m_window.transport().showUserInput(from);
-    return m_window.status().showInput({title_of_input(material), from, material.input.fps});
+    return m_window.status().showInput({name_of_input(material), from, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
