@@ -112,7 +112,8 @@ TEST_F(LoadTake, AnAxisThatOneLeavesOpenIsTheOthers) {
     pose.col(1).array() -= pose.col(1).minCoeff();
   }
   write("a.bvh", {down}), write("b.bvh", {down});
-  EXPECT_GT(loaded().a.poses[0](joints::Head, 1), loaded().a.poses[0](0, 1)) << "taken as -Y, with a question";
+  EXPECT_GT(loaded().a.poses[0](joints::Head, 1), loaded().a.poses[0](0, 1))
+      << "taken as -Y, with a question";
   write("b.bvh", {couple.b});
   EXPECT_LT(loaded().a.poses[0](joints::Head, 1), loaded().a.poses[0](0, 1));
 }

@@ -189,7 +189,8 @@ TEST(PointCsv, AnglesInColumnsLikePlacesAreRefused) {
   for (int frame = 0; frame < 12; ++frame) {
     text += "\n";
     for (int column = 0; column < 3 * joint_count; ++column)
-      text += (column > 0 ? "," : "") + std::to_string(40 * std::sin((0.5 + 0.07 * column) * frame + 1.3 * column));
+      text += (column > 0 ? "," : "") +
+              std::to_string(40 * std::sin((0.5 + 0.07 * column) * frame + 1.3 * column));
   }
   EXPECT_THAT(message_of(text + "\n"), HasSubstr("its numbers look like angles, not positions"));
 }
