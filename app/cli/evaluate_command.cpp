@@ -60,9 +60,12 @@ std::string summary(const Evaluation& evaluation, const std::filesystem::path& f
                        result->contact.holds.holds));
     if (result->published)
       line("MPJPE, nearest neighbour's",
-           fmt::format("{:.0f} mm, {:.0f} mm; FID_cd {:.1f}, {:.1f}", 1000 * result->published->made.mpjpe_m,
-                       1000 * result->published->nearest.mpjpe_m, result->published->made.fid_cd,
-                       result->published->nearest.fid_cd));
+           fmt::format("{:.0f} mm, {:.0f} mm; {}", 1000 * result->published->made.mpjpe_m,
+                       1000 * result->published->nearest.mpjpe_m,
+                       std::isfinite(result->published->made.fid_cd)
+                           ? fmt::format("FID_cd {:.1f}, {:.1f}", result->published->made.fid_cd,
+                                         result->published->nearest.fid_cd)
+                           : "no FID_cd: no take has the 2 s of its clips"));
     line("partner from the captured one",
          fmt::format("{:.3f} m mean, {:.3f} m median", result->partner.mean_joint_error_m,
                      result->partner.median_joint_error_m));

@@ -100,6 +100,9 @@ Result<std::string> read_whole_file(const fs::path& path, std::uintmax_t most_by
   in.read(content.data(), static_cast<std::streamsize>(content.size()));
   content.resize(static_cast<std::size_t>(in.gcount()));
   content.append(std::istreambuf_iterator<char>(in), {});  // what was written meanwhile
+  if (content.starts_with("version https://git-lfs.github.com/spec/"))
+    return Error{"is a Git LFS pointer in place of the file: run git lfs pull where it was cloned",
+                 path.string()};
   return content;
 }
 

@@ -49,6 +49,8 @@ std::string published_finding(const PublishedTable& published) {
         "The distances between the two bodies are {} from the recorded ones (FID_cd), the nearest "
         "neighbour's {}. ",
         number_text(made.fid_cd), number_text(nearest.fid_cd));
+  else
+    text += "No FID_cd: it compares clips of 2 s, and no take is so long. ";
   return text + fmt::format("Jitter is {}, of the nearest neighbour {}, of the recording {}.",
                             number_text(made.jitter_10_m_s3), number_text(nearest.jitter_10_m_s3),
                             number_text(published.captured.jitter_10_m_s3));

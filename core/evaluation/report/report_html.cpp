@@ -18,10 +18,12 @@ std::string fact(std::string_view name, const std::string& text) {
   return "<dt>" + xml_text(name) + "</dt><dd>" + xml_text(text) + "</dd>\n";
 }
 
-std::string joined(const std::vector<std::string>& words) {
+/// The tables of takes name all.
+std::string some_takes(const std::vector<std::string>& takes) {
+  constexpr std::size_t most = 12;
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
+  for (std::size_t t = 0; t < takes.size() && t < most; ++t) text += (t > 0 ? ", " : "") + takes[t];
+  return takes.size() > most ? fmt::format("{} and {} more", text, takes.size() - most) : text;
 }
 
 std::string settings_text(const Settings& settings) {
@@ -41,7 +43,7 @@ std::string facts(const Evaluation& evaluation) {
                 fmt::format("{} {}: {}", count_text(static_cast<int>(evaluation.takes.size()), "take"),
                             evaluation.users.empty() ? "of the library, each by the others"
                                                      : "of " + evaluation.users + ", by the whole library",
-                            joined(evaluation.takes)));
+                            some_takes(evaluation.takes)));
   inner += fact("settings", settings_text(evaluation.settings));
   inner += fact("step rate", evaluation.step_rate_hz > 0 ? plain_number(evaluation.step_rate_hz) + " Hz"
                                                          : "each take's own, at most 120 Hz");

@@ -53,12 +53,8 @@ void bring_together(LibraryPlan& plan) {
 }
 
 LonePerformer lone(const PlannedPerformer& performer) {
-  return {performer.source.motion.string(),
-          performer.source.motion.stem().string(),
-          performer.name,
-          performer.source.skeleton.string(),
-          performer.clip.get(),
-          static_cast<std::size_t>(performer.in_the_file)};
+  return {performer.source.motion.string(), performer.name, performer.source.skeleton.string(),
+          performer.clip.get(), static_cast<std::size_t>(performer.in_the_file)};
 }
 
 // ---- remarks ----
@@ -156,11 +152,11 @@ void remark_on_labels(const LibraryPlan& plan, const std::string& take, int perf
 
 // ---- the manifest ----
 
-Manifest::Performer settled(const PlannedPerformer& performer) {
-  Manifest::Performer settled = performer.source;
+Manifest::Performer settled(const PlannedPerformer& performer, const PlannedPerformer& partner) {
+  Manifest::Performer settled = with_space_of(partner.report, performer.report, performer.source);
   if (performer.in_the_file < 2) settled.index.reset();
-  settled.metres_per_unit = performer.report.metres_per_unit;
-  settled.up_axis = performer.report.up_axis;
+  if (!settled.metres_per_unit) settled.metres_per_unit = performer.report.metres_per_unit;
+  if (!settled.up_axis) settled.up_axis = performer.report.up_axis;
   if (settled.joint_map.empty()) settled.joint_map = performer.report.joint_map;
   return settled;
 }
@@ -299,7 +295,7 @@ Manifest manifest_of(const LibraryPlan& plan) {
     Manifest::Take take;
     take.name = a.take;
     take.fps = a.report.fps;
-    take.a = settled(a), take.b = settled(b);
+    take.a = settled(a, b), take.b = settled(b, a);
     const int frames = used_frames(plan, i);
     if (frames != a.frames() - a.source.start || frames != b.frames() - b.source.start) take.frames = frames;
     if (a.role == PlannedRole::Leads) take.roles = {{0, INT_MAX, ActivePerformer::A}};

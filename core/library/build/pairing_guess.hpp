@@ -12,7 +12,6 @@ namespace abrazo {
 /// A performer of a motion file, with the properties that show who danced with whom.
 struct LonePerformer {
   std::string file;             ///< path; performers of one file were captured together
-  std::string file_name;        ///< without folder and extension
   std::string name;             ///< of the performer, unique in the file
   std::string skeleton;         ///< path of its .asf; the same path means the same person. May be empty
   const Clip* clip = nullptr;   ///< never null
@@ -31,11 +30,14 @@ struct PairGuess {
   Confidence confidence() const;
 };
 
-/// Pairs performers by the difference of their names (weight 0.5; one common file counts as full evidence),
-/// their lengths (0.3) and their distance (0.2; median over the frames of the horizontal distance of their
-/// roots). No performer is in two pairs. The strongest evidence comes first; below 0.4 nothing is guessed,
-/// unless there are only two performers. Two with the same skeleton file or bone lengths are most likely one
-/// person.
+/// Pairs performers by the difference of their paths below the folder that all share (weight 0.5; one common
+/// file counts as full evidence), their lengths (0.3) and their distance (0.2; median over the frames of the
+/// horizontal distance of their roots). Where most files differ at one place in a way that names performers,
+/// differences at other places are those of takes. No performer is in two pairs. The strongest evidence comes
+/// first; below 0.4 nothing is guessed, unless there are only two performers. A guess is unsure where another
+/// is nearly as good, where the bodies are in one another, where the shorter lacks much of the longer, and
+/// where only words or numbers differ and most lengths do as well. Two with the same skeleton file or bone
+/// lengths are most likely one person, unless all have these.
 std::vector<PairGuess> guess_pairs(std::span<const LonePerformer> performers);
 
 /// The .asf file that matches an .amc by name ("60_01.amc" -> "60.asf"), else the only one; empty if there is

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 
@@ -41,9 +42,8 @@ void add_warnings(const ImportReport& report, const std::string& file, std::vect
   }
 }
 
-/// The clips of a file, with the readers' warnings appended.
 Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const Manifest::Performer& performer,
-                                             std::vector<std::string>& warnings, const Progress& progress) {
+                                             const Progress& progress) {
   auto options = import_options(performer, take.fps);
   if (!options) return options.error();
   if (!options->metres_per_unit) options->metres_per_unit = take.metres_per_unit;
@@ -51,28 +51,22 @@ Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const M
   if (!clips)
     return Error{clips.error().message + std::string(manifest_words(clips.error().hint)),
                  clips.error().where};
-  for (const ImportedClip& clip : *clips) add_warnings(clip.report, performer.motion.string(), warnings);
   return clips;
 }
 
-/// Moves one performer out of a file's clips and cuts the frames before its start.
-Result<Clip> taken_from(std::vector<ImportedClip>& clips, const Manifest::Performer& performer, int index) {
+/// Moves one performer out of a file's clips.
+Result<ImportedClip> taken_from(std::vector<ImportedClip>& clips, const Manifest::Performer& performer,
+                                int index) {
   if (index >= static_cast<int>(clips.size()))
     return Error{
         fmt::format("performer {} is requested, but it shows {}; they count from 0", index, clips.size()),
         performer.motion.string()};
-  Clip clip = std::move(clips[static_cast<std::size_t>(index)].clip);
-  if (performer.start >= static_cast<int>(clip.poses.size()))
-    return Error{fmt::format("is to be used from frame {} on, but has {}; give a smaller \"start\"",
-                             performer.start, clip.poses.size()),
-                 performer.motion.string()};
-  clip.poses.erase(clip.poses.begin(), clip.poses.begin() + performer.start);
-  return clip;
+  return std::move(clips[static_cast<std::size_t>(index)]);
 }
 
-Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& performer,
-                         std::vector<std::string>& warnings, const Progress& progress) {
-  auto clips = load_clips(take, performer, warnings, progress);
+Result<ImportedClip> load_single(const Manifest::Take& take, const Manifest::Performer& performer,
+                                 const Progress& progress) {
+  auto clips = load_clips(take, performer, progress);
   if (!clips) return clips.error();
   if (clips->size() != 1 && !performer.index)
     return Error{fmt::format("shows {} performers; expected one (say which with \"performer\": 0, 1, ..., or "
@@ -82,31 +76,66 @@ Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& 
   return taken_from(*clips, performer, performer.index.value_or(0));
 }
 
-/// Both performers, from two files or from one that shows both.
+/// Both performers of one file.
+Status load_both(const Manifest::Take& take, ImportedClip& a, ImportedClip& b, const Progress& progress) {
+  auto clips = load_clips(take, take.a, progress);
+  if (!clips) return clips.error();
+  const int index_a = take.a.index.value_or(0), index_b = take.b.index.value_or(1);
+  if (clips->size() != 2 && !(take.a.index && take.b.index))
+    return Error{fmt::format("is named for both performers of take {} but shows {}; expected 2", take.name,
+                             clips->size()),
+                 take.a.motion.string()};
+  if (index_a == index_b)
+    return Error{fmt::format("performer {} is named twice; name another for a or b", index_a),
+                 "take " + take.name};
+  auto first = taken_from(*clips, take.a, index_a);
+  if (!first) return first.error();
+  auto second = taken_from(*clips, take.b, index_b);
+  if (!second) return second.error();
+  a = std::move(*first), b = std::move(*second);
+  return Done{};
+}
+
+/// Each performer of a file of their own. Where one leaves open its unit or axis, the other's is taken.
+Status load_each(const Manifest::Take& take, ImportedClip& a, ImportedClip& b, const Progress& progress) {
+  auto first = load_single(take, take.a, progress);
+  if (!first) return first.error();
+  auto second = load_single(take, take.b, progress);
+  if (!second) return second.error();
+  for (auto* const both : {&first, &second}) {
+    auto& doubtful = *both;
+    const ImportReport& other = (both == &first ? second : first)->report;
+    const Manifest::Performer& said = both == &first ? take.a : take.b;
+    const Manifest::Performer settled = with_space_of(other, doubtful->report, said);
+    if (settled.up_axis == said.up_axis && settled.metres_per_unit == said.metres_per_unit) continue;
+    doubtful = load_single(take, settled, progress);
+    if (!doubtful) return doubtful.error();
+  }
+  a = std::move(*first), b = std::move(*second);
+  return Done{};
+}
+
 Status load_performers(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings,
                        const Progress& progress) {
-  Result<Clip> a = Clip{}, b = Clip{};
-  if (take.a.motion == take.b.motion) {
-    auto clips = load_clips(take, take.a, warnings, progress);
-    if (!clips) return clips.error();
-    const int index_a = take.a.index.value_or(0), index_b = take.b.index.value_or(1);
-    if (clips->size() != 2 && !(take.a.index && take.b.index))
-      return Error{fmt::format("is named for both performers of take {} but shows {}; expected 2", take.name,
-                               clips->size()),
-                   take.a.motion.string()};
-    if (index_a == index_b)
-      return Error{fmt::format("performer {} is named twice; name another for a or b", index_a),
-                   "take " + take.name};
-    a = taken_from(*clips, take.a, index_a);
-    b = taken_from(*clips, take.b, index_b);
-  } else {
-    a = load_single(take, take.a, warnings, progress);
-    if (a) b = load_single(take, take.b, warnings, progress);
+  ImportedClip a, b;
+  const bool one_file = take.a.motion == take.b.motion;
+  const Status loaded = one_file ? load_both(take, a, b, progress) : load_each(take, a, b, progress);
+  if (!loaded) return loaded.error();
+  const std::array<ImportedClip*, 2> both = {&a, &b};
+  share_floor(both);
+  for (const ImportedClip* imported : both) {
+    const Manifest::Performer& performer = imported == &a ? take.a : take.b;
+    const auto start = performer.start;
+    add_warnings(imported->report, performer.motion.string(), warnings);
+    std::vector<Pose>& poses = imported == &a ? a.clip.poses : b.clip.poses;
+    if (start >= static_cast<int>(poses.size()))
+      return Error{fmt::format("is to be used from frame {} on, but has {}; give a smaller \"start\"", start,
+                               poses.size()),
+                   performer.motion.string()};
+    poses.erase(poses.begin(), poses.begin() + start);
   }
-  if (!a) return a.error();
-  if (!b) return b.error();
-  result.a = std::move(*a);
-  result.b = std::move(*b);
+  result.a = std::move(a.clip);
+  result.b = std::move(b.clip);
   return Done{};
 }
 
@@ -175,6 +204,7 @@ Result<std::vector<LabelInterval>> labels_in(const Manifest::Take& take, const P
 }
 
 Status load_labels(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
+  if (!take.move.empty()) result.labels = {{0, static_cast<int>(result.a.poses.size()), take.move, "", ""}};
   if (take.labels.empty()) return Done{};
   auto labels = labels_in(take, result, warnings);
   if (!labels) return labels.error();
@@ -206,6 +236,16 @@ Status load_roles(const Manifest::Take& take, PairedTake& result, std::vector<st
 }
 
 }  // namespace
+
+Manifest::Performer with_space_of(const ImportReport& other, const ImportReport& own,
+                                  const Manifest::Performer& performer) {
+  Manifest::Performer settled = performer;
+  if (!settled.up_axis && own.asks_about("up-axis") && !other.asks_about("up-axis"))
+    settled.up_axis = other.up_axis;
+  if (!settled.metres_per_unit && own.asks_about("units") && !other.asks_about("units"))
+    settled.metres_per_unit = other.metres_per_unit;
+  return settled;
+}
 
 Result<ImportOptions> import_options(const Manifest::Performer& performer, std::optional<double> fps) {
   ImportOptions options;

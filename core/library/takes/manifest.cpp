@@ -128,13 +128,19 @@ void parse_take_roles(const ManifestNode& node, const fs::path& folder, Manifest
     node.refuse("names a tier but no file; add \"file\", or \"labels\" to the take");
 }
 
-/// A file, or {"file": ..., "tier": ...}.
+/// A file, {"file": ..., "tier": ...}, or {"move": ...} of the whole take.
 void parse_take_labels(const ManifestNode& node, const fs::path& folder, Manifest::Take& take) {
   if (!node.value.is_object()) {
     take.labels = folder / node.string();
     return;
   }
-  node.expect_object({"file", "tier"});
+  node.expect_object({"file", "tier", "move"});
+  if (node.has("move") && node.has("file"))
+    node.refuse("has a file and a move; one of both says what the labels are");
+  if (node.has("move")) {
+    take.move = node.at("move").string();
+    return;
+  }
   take.labels = folder / node.required("file", "the label file").string();
   if (node.has("tier")) take.labels_tier = node.at("tier").string();
 }

@@ -39,6 +39,7 @@ struct Manifest {
     std::vector<RoleInterval>
         roles;  ///< one interval over the whole take if the file gives one letter; empty = unknown
     std::filesystem::path labels;  ///< empty = none
+    std::string move = {};         ///< label of the whole take, instead of `labels`; empty = none
     std::string labels_tier = {};  ///< tier of a file with several; empty = its moves
     /// Roles from a tier of a label file, instead of `roles`; an empty file means `labels`.
     std::string roles_tier = {};
@@ -65,11 +66,16 @@ Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::strin
 /// Options for reading a performer's file. Reads the joint map if its file is given.
 Result<ImportOptions> import_options(const Manifest::Performer& performer, std::optional<double> fps);
 
+/// A performer with unit and axis of the other of the take, where its own motion leaves them open and the
+/// other's does not: both were captured in one space.
+Manifest::Performer with_space_of(const ImportReport& other, const ImportReport& own,
+                                  const Manifest::Performer& performer);
+
 /// The takes that a label file names, each once, in its order.
 std::vector<std::string> takes_in_labels(std::string_view csv);
 
-/// Reads both performers of a take, cut to its frames, with roles and labels, whose frames count from the
-/// cut. Unequal lengths are an error that says by how many frames.
+/// Reads both performers of a take, on one floor (share_floor), cut to its frames, with roles and labels,
+/// whose frames count from the cut. Unequal lengths are an error that says by how many frames.
 /// @param warnings  those of the readers are appended, prefixed by the file
 /// @param progress  as for load_motion
 Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string>& warnings,

@@ -62,6 +62,7 @@ OrderedJson take_json(const Manifest::Take& take, const fs::path& folder) {
     object["roles"] = {{"tier", take.roles_tier}};
     if (!take.roles_file.empty()) object["roles"]["file"] = portable(take.roles_file, folder);
   }
+  if (!take.move.empty()) object["labels"] = {{"move", take.move}};
   if (take.labels.empty()) return object;
   if (take.labels_tier.empty())
     object["labels"] = portable(take.labels, folder);

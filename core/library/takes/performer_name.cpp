@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 #include <utility>
 
 #include "core/base/text.hpp"
@@ -12,7 +13,7 @@ namespace abrazo {
 namespace {
 
 /// Who is active, and what the other is then called.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> opposite_roles = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> opposite_roles = {
     {{"leader", "follower"},
      {"lead", "follow"},
      {"leading", "following"},
@@ -28,7 +29,18 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> opposite
      {"attack", "defence"},
      {"attack", "defense"},
      {"attacker", "victim"},
-     {"user", "partner"}}};
+     {"user", "partner"},
+     {"me", "partner"},
+     {"self", "other"}}};
+
+/// Words before the number of a performer, and before that of a recording.
+constexpr std::array<std::string_view, 22> performer_words = {
+    "p",      "c",         "s",       "person", "performer", "player", "subject", "subj",
+    "sub",    "character", "char",    "actor",  "dancer",    "body",   "human",   "skeleton",
+    "people", "fighter",   "partner", "user",   "man",       "sbj"};
+constexpr std::array<std::string_view, 21> recording_words = {
+    "take",  "t",       "trial",  "seq", "sequence", "clip", "rec",   "recording", "run",    "song", "part",
+    "scene", "session", "motion", "day", "rep",      "shot", "round", "pair",      "couple", "duet"};
 
 enum class Kind { Digit, Letter, Other };
 
@@ -52,17 +64,27 @@ int role_order(std::string_view first, std::string_view second) {
   return 0;
 }
 
-NameContrast contrast_of(std::string_view first, std::string_view second) {
-  if (role_order(first, second) != 0) return NameContrast::Roles;
-  if (is_number(first) != is_number(second)) return NameContrast::None;
-  if (is_number(first)) return NameContrast::Numbers;
-  const bool letters = first.size() == 1 && second.size() == 1;
+bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// Of parts at one place, by themselves and by the word before them.
+NameContrast contrast_of(std::span<const NamePart> first, std::span<const NamePart> second, std::size_t i) {
+  const std::string_view one = first[i].text, other = second[i].text;
+  if (role_order(one, other) != 0) return NameContrast::Roles;
+  if (is_number(one) != is_number(other)) return NameContrast::None;
+  if (is_number(one)) {
+    const std::string_view before = i > 0 ? std::string_view(first[i - 1].text) : std::string_view();
+    if (is_one_of(recording_words, before)) return NameContrast::None;
+    return is_one_of(performer_words, before) ? NameContrast::Performers : NameContrast::Numbers;
+  }
+  const bool letters = one.size() == 1 && other.size() == 1;
   return letters ? NameContrast::Letters : NameContrast::Words;
 }
 
 /// "take1" and "take1_partner", "take1 2", "take1b".
-std::optional<NameDifference> extension_of(const std::vector<NamePart>& shorter,
-                                           const std::vector<NamePart>& longer) {
+std::optional<NameDifference> extension_of(std::span<const NamePart> shorter,
+                                           std::span<const NamePart> longer) {
   for (std::size_t i = 0; i < shorter.size(); ++i)
     if (shorter[i].text != longer[i].text) return std::nullopt;
   const std::string& extra = longer.back().text;
@@ -95,22 +117,22 @@ std::vector<NamePart> parts_of_name(std::string_view name) {
   return parts;
 }
 
-std::optional<NameDifference> difference_of_names(std::string_view first, std::string_view second) {
-  const std::vector<NamePart> a = parts_of_name(first), b = parts_of_name(second);
+std::optional<NameDifference> difference_of_names(std::span<const NamePart> a, std::span<const NamePart> b) {
   if (b.size() == a.size() + 1 && !a.empty()) return extension_of(a, b);
   if (a.size() != b.size()) return std::nullopt;
   std::optional<NameDifference> found;
   int differing = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].text == b[i].text) continue;
-    ++differing;
-    NameDifference here{contrast_of(a[i].text, b[i].text), i, a[i].text, b[i].text};
+    if (++differing > 2) return std::nullopt;
+    NameDifference here{contrast_of(a, b, i), i, a[i].text, b[i].text};
     here.first_is_active = role_order(a[i].text, b[i].text) >= 0;
     // With a role there may also be the subject's number or letter: s60_leader, s61_follower.
     if (!found || here.contrast > found->contrast) found = here;
   }
   if (differing == 0 || found->contrast == NameContrast::None) return std::nullopt;
-  if (differing > 2 || (differing == 2 && found->contrast != NameContrast::Roles)) return std::nullopt;
+  found->also_numbers = differing == 2;
+  if (found->also_numbers && found->contrast != NameContrast::Roles) return std::nullopt;
   return found;
 }
 
@@ -118,12 +140,15 @@ std::string shared_name(std::string_view first, const NameDifference& difference
   if (difference.one_more_part) return std::string(first);
   const std::vector<NamePart> parts = parts_of_name(first);
   const NamePart& cut = parts[difference.part];
+  std::size_t begin = cut.begin;
+  if (difference.contrast == NameContrast::Performers) begin = parts[difference.part - 1].begin;
   const auto is_joint = [](char c) { return kind_of(c) == Kind::Other; };
-  std::string_view before = first.substr(0, cut.begin), after = first.substr(cut.begin + cut.size);
-  // One of the separators around the removed part stays.
+  std::string_view before = first.substr(0, begin), after = first.substr(cut.begin + cut.size);
+  // One of the separators around the removed part stays, that of folders if there is one.
+  if (before.empty() || before.back() == '/')
+    while (!after.empty() && is_joint(after.front())) after.remove_prefix(1);
   while (!before.empty() && is_joint(before.back()) && (after.empty() || is_joint(after.front())))
     before.remove_suffix(1);
-  while (before.empty() && !after.empty() && is_joint(after.front())) after.remove_prefix(1);
   return std::string(before) + std::string(after);
 }
 

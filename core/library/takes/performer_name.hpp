@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,11 +19,12 @@ std::vector<NamePart> parts_of_name(std::string_view name);
 
 /// How the names of two performers of one take may differ.
 enum class NameContrast {
-  None,     ///< nothing that distinguishes two performers
-  Words,    ///< any two words: anna, ben
-  Numbers,  ///< numbers of subjects: 60, 61
-  Letters,  ///< a, b
-  Roles     ///< leader, follower; attacker, defender; ...
+  None,        ///< nothing that distinguishes two performers: take1, take2
+  Words,       ///< any two words: anna, ben
+  Numbers,     ///< any two numbers: 60, 61
+  Letters,     ///< any two letters: a, b
+  Performers,  ///< numbers behind a word for a performer: p1, p2; C0, C1; person1, person2
+  Roles        ///< leader, follower; attacker, defender; ...
 };
 
 /// The one difference between two otherwise equal names.
@@ -31,14 +33,17 @@ struct NameDifference {
   std::size_t part = 0;         ///< index into the parts of the first
   std::string first, second;    ///< differing text: "60", "61"
   bool first_is_active = true;  ///< meaningful with Roles
+  bool also_numbers = false;    ///< with Roles: subjects are numbered as well, s60_leader and s61_follower
   bool one_more_part = false;   ///< the second has an additional part at its end: "take1", "take1_partner"
 };
 
+/// @param first, second  parts of names, or of paths
 /// @return none if they are equal or differ in more than names of a pair would
-std::optional<NameDifference> difference_of_names(std::string_view first, std::string_view second);
+std::optional<NameDifference> difference_of_names(std::span<const NamePart> first,
+                                                  std::span<const NamePart> second);
 
-/// The common part of two names, as written in the first: "take1" of take1_leader and take1_follower. May be
-/// empty.
+/// The common part of two names, as written in the first: "take1" of take1_leader and take1_follower, "10" of
+/// 10_C0 and 10_C1, "s/x" of s/0/x and s/1/x. May be empty.
 std::string shared_name(std::string_view first, const NameDifference& difference);
 
 }  // namespace abrazo

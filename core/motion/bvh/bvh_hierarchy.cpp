@@ -83,6 +83,9 @@ Status HierarchyParser::close_node() {
     hierarchy_.warnings.push_back({"missing-offset", lines_.number(),
                                    in_quotes(node.name) + " has no OFFSET; it was put where its parent is"});
   open_.pop_back();
+  // Some programs end every chain so: it says nothing of where the limb ends.
+  if (node.is_end_site && node.has_offset && node.offset.isZero() && node.channels.empty())
+    hierarchy_.nodes.pop_back();
   return Done{};
 }
 

@@ -260,6 +260,10 @@ Status check_places(const std::vector<Pose>& poses, const std::string& name) {
   return Done{};
 }
 
+bool rests_near_zero(const ImportReport& report) {
+  return report.floor_y_m >= lowest_floor_m && report.floor_y_m <= highest_floor_m;
+}
+
 void settle_floor(const ImportOptions& options, std::vector<Pose>& poses, ImportReport& report) {
   report.floor_y_m = body_of(poses).toe_rest_height;
   if (options.floor_m) {
@@ -267,7 +271,7 @@ void settle_floor(const ImportOptions& options, std::vector<Pose>& poses, Import
     for (Pose& pose : poses) pose.col(1).array() += report.floor_shift_m;
     return;
   }
-  if (report.floor_y_m >= lowest_floor_m && report.floor_y_m <= highest_floor_m) return;
+  if (rests_near_zero(report)) return;
   report.floor_shift_m = toe_rest_height_m - report.floor_y_m;
   for (Pose& pose : poses) pose.col(1).array() += report.floor_shift_m;
   ask(report, "floor",
@@ -354,6 +358,38 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
 
 bool ImportReport::asks() const {
   return animations.size() > 1 || std::ranges::any_of(warnings, &ImportWarning::asks);
+}
+
+bool ImportReport::asks_about(std::string_view kind) const {
+  return std::ranges::any_of(
+      warnings, [&](const ImportWarning& warning) { return warning.asks && warning.kind == kind; });
+}
+
+void share_floor(std::span<ImportedClip* const> performers) {
+  const auto is_of_floor = [](const ImportWarning& warning) { return warning.kind == "floor"; };
+  const bool moved = std::ranges::any_of(performers, [&](const ImportedClip* one) {
+    return std::ranges::any_of(one->report.warnings, is_of_floor);
+  });
+  if (performers.size() < 2 || !moved) return;
+  const ImportedClip& lowest = **std::ranges::min_element(
+      performers, {}, [](const ImportedClip* one) { return one->report.floor_y_m; });
+  const bool on_floor =
+      std::ranges::any_of(performers, [](const ImportedClip* one) { return rests_near_zero(one->report); });
+  const double shift_m = on_floor ? 0 : toe_rest_height_m - lowest.report.floor_y_m;
+  for (ImportedClip* one : performers) {
+    ImportReport& report = one->report;
+    for (Pose& pose : one->clip.poses) pose.col(1).array() += shift_m - report.floor_shift_m;
+    report.floor_shift_m = shift_m;
+    std::erase_if(report.warnings, is_of_floor);
+    if (!on_floor)
+      ask(report, "floor",
+          "the toe bases of " + lowest.clip.name + " rest at " + rounded(lowest.report.floor_y_m, 3) +
+              " m; all performers of the take were moved by " + rounded(shift_m, 3) + " m");
+    else if (!rests_near_zero(report))
+      warn(report, "floor",
+           "the toe bases rest at " + rounded(report.floor_y_m, 3) +
+               " m, off the floor of the other performer; nobody was moved");
+  }
 }
 
 bool joints_are_known(const NamedMotion& motion) {

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/progress.hpp"
@@ -49,6 +51,8 @@ struct ImportReport {
   /// Whether a person should confirm how the file is read: it has several animations, or a
   /// warning requires it.
   bool asks() const;
+  /// Whether a warning of this kind requires it: "up-axis", "units".
+  bool asks_about(std::string_view kind) const;
 };
 
 struct ImportedClip {
@@ -59,6 +63,10 @@ struct ImportedClip {
 /// Converts a file's points to the 25 joints in metres, Y up.
 /// @return an Error if no joint map fits, or positions are not all finite
 Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions& options);
+
+/// Performers of one take stand on one floor: all are moved by the same amount, that of the lowest, or not at
+/// all where one of them rests near 0. Whoever is in the air then stays there, with a warning.
+void share_floor(std::span<ImportedClip* const> performers);
 
 /// Whether a built-in joint map or marker model finds all joints among the points.
 bool joints_are_known(const NamedMotion& motion);

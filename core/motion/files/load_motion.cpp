@@ -10,27 +10,6 @@ namespace abrazo {
 
 namespace {
 
-/// Performers of one file share a floor, so all are shifted by the same amount.
-void share_floor(std::vector<ImportedClip>& clips) {
-  double shift = 0;
-  for (const ImportedClip& imported : clips)
-    if (shift == 0) shift = imported.report.floor_shift_m;
-  for (ImportedClip& imported : clips) {
-    const double correction = shift - imported.report.floor_shift_m;
-    if (correction == 0) continue;
-    for (Pose& pose : imported.clip.poses) pose.col(1).array() += correction;
-    imported.report.floor_shift_m = shift;
-    imported.report.warnings.push_back(
-        {"floor", 0, "moved by " + exact_text(shift) + " m with the other performer of the file"});
-  }
-}
-
-bool asks_which_axis(const ImportedClip& imported) {
-  return std::ranges::any_of(imported.report.warnings, [](const ImportWarning& warning) {
-    return warning.kind == "up-axis" && warning.asks;
-  });
-}
-
 /// Where the posture of the first performer leaves open which axis points up, another one's may not: who is
 /// head down or lies says less than who stands.
 /// @param others  performers and objects of the same file
@@ -38,7 +17,8 @@ bool asks_which_axis(const ImportedClip& imported) {
 std::optional<ImportReport> without_doubt_of_axis(std::span<const NamedMotion> others,
                                                   const ImportOptions& options) {
   for (const NamedMotion& other : others)
-    if (Result<ImportedClip> imported = import_clip(other, options); imported && !asks_which_axis(*imported))
+    if (Result<ImportedClip> imported = import_clip(other, options);
+        imported && !imported->report.asks_about("up-axis"))
       return std::move(imported->report);
   return std::nullopt;
 }
@@ -100,7 +80,7 @@ Result<std::vector<ImportedClip>> import_performers(const std::string& file,
       continue;
     }
     if (clips.empty()) {
-      if (asks_which_axis(*imported))
+      if (imported->report.asks_about("up-axis"))
         if (const auto sure = without_doubt_of_axis(std::span(motions).subspan(m + 1), options)) {
           settled.up_axis = sure->up_axis;
           imported = import_clip(motion, settled);
@@ -120,7 +100,9 @@ Result<std::vector<ImportedClip>> import_performers(const std::string& file,
         {"left-out", 0,
          std::to_string(left_out.size()) + " of " + std::to_string(motions.size()) +
              " in the file cannot be read as performers and were left out: " + some_of(left_out)});
-  share_floor(clips);
+  std::vector<ImportedClip*> all;
+  for (ImportedClip& clip : clips) all.push_back(&clip);
+  share_floor(all);
   return clips;
 }
 

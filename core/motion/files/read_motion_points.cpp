@@ -14,6 +14,7 @@
 #include "core/motion/joints/motion_format.hpp"
 #include "core/motion/numpy/numpy_reader.hpp"
 #include "core/motion/scenes/scene_process.hpp"
+#include "core/motion/scenes/vrm_bones.hpp"
 #include "core/motion/tables/c3d_reader.hpp"
 #include "core/motion/tables/point_csv.hpp"
 #include "core/motion/tables/trc_reader.hpp"
@@ -78,6 +79,17 @@ Result<std::vector<NamedMotion>> read_parameters_or_positions(const MotionFile& 
   return read_numpy(file.bytes, file.options.joint_order, file.where(), {*body, file.options.body_model});
 }
 
+/// A VRM is a character: without animation it has its rest pose.
+Result<std::vector<NamedMotion>> read_gltf(const MotionFile& file) {
+  auto rest = rest_pose_of_vrm(file.bytes, file.where());
+  if (!rest) return rest.error();
+  if (*rest) return std::vector<NamedMotion>{std::move(**rest)};
+  auto motions =
+      read_scene_apart(file.bytes, MotionFormat::Gltf, file.where(), file.options.animation, file.progress);
+  if (motions) name_by_vrm(file.bytes, *motions);
+  return motions;
+}
+
 /// The reader of each format, in the order of MotionFormat.
 using Read = Result<std::vector<NamedMotion>> (*)(const MotionFile& file);
 constexpr std::array<Read, 10> readers = {
@@ -90,10 +102,7 @@ constexpr std::array<Read, 10> readers = {
     [](const MotionFile& file) { return read_c3d(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_trc(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_point_csv(file.bytes, file.where()); },
-    [](const MotionFile& file) {
-      return read_scene_apart(file.bytes, MotionFormat::Gltf, file.where(), file.options.animation,
-                              file.progress);
-    },
+    [](const MotionFile& file) { return read_gltf(file); },
     [](const MotionFile& file) {
       return read_scene_apart(file.bytes, MotionFormat::Fbx, file.where(), file.options.animation,
                               file.progress);

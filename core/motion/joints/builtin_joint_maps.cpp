@@ -352,6 +352,36 @@ JointMap joint_centres() {
   return map;
 }
 
+/// The 33 points of MediaPipe's body, as FreeMoCap writes them.
+JointMap mediapipe() {
+  using namespace joints;
+  JointMap map{"mediapipe", {}};
+  const auto both = [&](int left_joint, const Rules& rules) {
+    set_both(map, left_joint, rules, "left", "right");
+  };
+  const auto on_trunk = [](double share) {
+    return JointRule{{{"left_hip", (1 - share) / 2},
+                      {"right_hip", (1 - share) / 2},
+                      {"left_shoulder", share / 2},
+                      {"right_shoulder", share / 2}}};
+  };
+  set(map, Root, {on_trunk(0)});
+  set(map, LowerBack, {on_trunk(0.27)}), set(map, UpperBack, {on_trunk(0.53)});
+  set(map, Thorax, {on_trunk(0.79)}), set(map, LowerNeck, {on_trunk(1)});
+  const auto to_ears = [](double share) {
+    return JointRule{{{"left_shoulder", (1 - share) / 2},
+                      {"right_shoulder", (1 - share) / 2},
+                      {"left_ear", share / 2},
+                      {"right_ear", share / 2}}};
+  };
+  set(map, UpperNeck, {to_ears(0.5)}), set(map, Head, {to_ears(1)});
+  both(LeftHipJoint, {at("%_hip")}), both(LeftFemur, {at("%_knee")}), both(LeftTibia, {at("%_ankle")});
+  both(LeftFoot, {along("%_heel", "%_foot_index", 0.75)}), both(LeftToes, {at("%_foot_index")});
+  both(LeftClavicle, {at("%_shoulder")}), both(LeftHumerus, {at("%_elbow")});
+  both(LeftWrist, {at("%_wrist")}), both(LeftHand, {along("%_pinky", "%_index", 0.5)});
+  return map;
+}
+
 /// Segments of Theia3D, as C3dRotations names their origins: the proximal joint of a limb, the middle of the
 /// pelvis, the base of the neck (torso), the middle of the ears (head). Source: "Theia model description" of
 /// its documentation.
@@ -387,8 +417,9 @@ JointMap theia() {
 
 const std::vector<JointMap>& builtin_joint_maps() {
   // Stricter maps first: the first one that finds all joints is used.
-  static const std::vector<JointMap> maps = {cmu(),   cmu_bvh(), mixamo(), lafan(),         unity(),
-                                             xsens(), motive(),  smpl(),   joint_centres(), theia()};
+  static const std::vector<JointMap> maps = {cmu(),           cmu_bvh(), mixamo(),   lafan(),
+                                             unity(),         xsens(),   motive(),   smpl(),
+                                             joint_centres(), theia(),   mediapipe()};
   return maps;
 }
 

@@ -28,7 +28,7 @@ struct JointMap {
 };
 
 /// Built-in maps: "cmu" (ASF names, and what Abrazo writes), "cmu-bvh", "mixamo", "lafan", "unity" (also
-/// VMC), "xsens", "motive" (OptiTrack), "smpl", "joint-centres", "theia".
+/// VMC), "xsens", "motive" (OptiTrack), "smpl", "joint-centres", "theia", "mediapipe".
 const std::vector<JointMap>& builtin_joint_maps();
 
 /// A map from a JSON file: {"name": "...", "joints": {"root": "Hips" | {"Hips": 0.5, "Spine": 0.5} |

@@ -16,7 +16,7 @@ constexpr std::array formats = {
     MotionFormatInfo{MotionFormat::C3d, "C3D", ".c3d"},
     MotionFormatInfo{MotionFormat::Trc, "TRC", ".trc"},
     MotionFormatInfo{MotionFormat::PointCsv, "CSV of positions", ".csv .tsv"},
-    MotionFormatInfo{MotionFormat::Gltf, "glTF", ".gltf .glb .vrm"},
+    MotionFormatInfo{MotionFormat::Gltf, "glTF", ".gltf .glb .vrm .vrma"},
     MotionFormatInfo{MotionFormat::Fbx, "FBX", ".fbx"},
     MotionFormatInfo{MotionFormat::Collada, "Collada", ".dae"},
     MotionFormatInfo{MotionFormat::Numpy, "NumPy", ".npy .npz"},

@@ -39,7 +39,7 @@ JointRule between(const NamedMotion& motion, int from, int to, double fraction) 
 /// Names of the limbs' joints, the clearest first; the end joint of a bone is the start of the next.
 struct LimbNames {
   Words hip = {"upleg",    "thigh", "thighbend", "upperleg", "upperthigh",
-               "legupper", "hip",   "hipjoint",  "femur"};
+               "legupper", "hip",   "hipjoint",  "femur",    "leg"};
   Words knee = {"shin", "calf", "lowerleg", "leglower", "lowleg", "knee", "leg", "tibia", "crus"};
   Words ankle = {"ankle", "foot", "feet"};
   Words toe_base = {"toebase", "toe", "toes", "toe0", "ball", "toe1", "metatarsals", "foot", "bigtoe"};
@@ -286,6 +286,25 @@ int end_behind(const NamedMotion& motion, int point) {
   return children.size() == 1 ? children.front() : -1;
 }
 
+/// The farthest chain below a point, itself first.
+std::vector<int> chain_below(const NamedMotion& motion, int point) {
+  const Positions& frame = motion.frames[frame_to_look_at(motion)];
+  std::vector<int> chain = {point};
+  double farthest = -1;
+  for (std::size_t p = 0; p < motion.parents.size(); ++p) {
+    std::vector<int> way;
+    for (int above = static_cast<int>(p); above >= 0; above = motion.parents[index_of(above)]) {
+      way.push_back(above);
+      if (above == point) break;
+    }
+    const double distance = (frame.row(static_cast<Eigen::Index>(p)) - frame.row(point)).norm();
+    if (way.size() < 2 || way.back() != point || distance <= farthest) continue;
+    farthest = distance;
+    chain.assign(way.rbegin(), way.rend());
+  }
+  return chain;
+}
+
 /// Whether the end has a plausible distance: exporters write ends of length 0.
 bool reaches(const NamedMotion& motion, int point, int end, double limb) {
   const Positions& frame = motion.frames[frame_to_look_at(motion)];
@@ -309,6 +328,25 @@ std::vector<int> infer_ends(JointMap& map, const NamedMotion& motion) {
     rules = {std::move(rule)};
     inferred.push_back(joint);
   };
+  // "LeftForeFoot", "toe1-1.l": a foot of two parts, whatever they are called.
+  const auto foot_of_parts = [&](int knee, int ankle, int toe_base, int toe_tip) {
+    const std::vector<int> chain = chain_below(motion, ankle);
+    if (chain.size() < 3 || !map.rules[index_of(toe_base)].empty()) return;
+    const int middle = chain[1], tip = chain.back();
+    const double first = length_of(motion, ankle, middle), second = length_of(motion, middle, tip);
+    const double shin = length_of(motion, knee, ankle);
+    if (!(first + second > 0.3 * shin && first + second < 1.2 * shin)) return;
+    const double share = first / (first + second);
+    if (share > 0.4 && share < 0.9) {
+      map.rules[index_of(toe_base)] = {between(motion, middle, middle, 1)};
+      map.rules[index_of(toe_tip)] = {between(motion, tip, tip, 1)};
+      return;
+    }
+    const double wanted = toe_base_of_toe_tip * (first + second);
+    infer(toe_base, wanted < first ? between(motion, ankle, middle, wanted / first)
+                                   : between(motion, middle, tip, (wanted - first) / second));
+    infer(toe_tip, between(motion, tip, tip, 1));
+  };
   const auto usable_end = [&](int before, int point) {
     const int end = end_behind(motion, point);
     return end >= 0 && reaches(motion, point, end, length_of(motion, before, point)) ? end : -1;
@@ -317,6 +355,7 @@ std::vector<int> infer_ends(JointMap& map, const NamedMotion& motion) {
     const auto side = [is_left](int joint) { return is_left ? joint : mirrored_joint(joint); };
     const int knee = point_of(map, side(left_knee), motion), ankle = point_of(map, side(left_ankle), motion);
     if (knee >= 0 && ankle >= 0) {
+      foot_of_parts(knee, ankle, side(left_toe_base), side(left_toe_tip));
       const int toe_base = point_of(map, side(left_toe_base), motion);
       const int end = usable_end(knee, ankle);
       if (toe_base >= 0) {

@@ -167,7 +167,7 @@ Result<FoundNames> names_for(const NumpyFile& file, const std::optional<JointOrd
                    file.place(positions)};
     return FoundNames{order->points, {}};
   }
-  const StoredArray* array = file.find({"joint_names"});
+  const StoredArray* array = file.find({"joint_names", "bone_names"});
   if (!array) return guess_order(file, positions);
   if (array->trouble) return *array->trouble;
   if (array->layout.is_number() || array->layout.shape.size() != 1 || array->layout.count() != joints)
@@ -188,12 +188,35 @@ Result<FoundNames> names_for(const NumpyFile& file, const std::optional<JointOrd
   return found;
 }
 
+/// Which joint each hangs on, where the file says it of as many joints: -1 or one before it.
+Result<std::vector<int>> parents_in(const NumpyFile& file, std::size_t joints) {
+  const StoredArray* array = file.find({"parent_indices", "parents"});
+  if (!array) return std::vector<int>(joints, -1);
+  if (array->trouble) return *array->trouble;
+  const Error expected{"expected for each of the " + std::to_string(joints) +
+                           " joints the number of the one that it hangs on, which comes before it, or -1",
+                       file.place(*array)};
+  if (!array->layout.is_number() || array->layout.shape.size() != 1 || array->layout.count() != joints)
+    return expected;
+  const auto content = file.content_of(*array);
+  if (!content) return content.error();
+  const NpyArray numbers(array->layout, *content);
+  std::vector<int> parents;
+  for (std::size_t j = 0; j < joints; ++j) {
+    const double parent = numbers.number(j);
+    if (!(parent >= -1 && parent < static_cast<double>(j) && parent == std::floor(parent))) return expected;
+    parents.push_back(static_cast<int>(parent));
+  }
+  return parents;
+}
+
 /// Nothing in a file is ignored silently.
 void warn_of_unused(const NumpyFile& file, const std::vector<const StoredArray*>& persons,
                     NamedMotion& motion) {
-  constexpr std::array<std::string_view, 9> honoured = {
-      "joint_names", "fps",     "frame_rate",      "mocap_frame_rate", "mocap_framerate",
-      "up",          "up_axis", "metres_per_unit", "positions"};
+  constexpr std::array<std::string_view, 13> honoured = {
+      "joint_names",      "bone_names",      "framerate", "fps",     "frame_rate",
+      "mocap_frame_rate", "mocap_framerate", "up",        "up_axis", "metres_per_unit",
+      "positions",        "parent_indices",  "parents"};
   std::vector<std::string> unused;
   for (const StoredArray& array : file.arrays())
     if (std::ranges::find(honoured, array.name) == honoured.end() &&
@@ -264,6 +287,7 @@ Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::o
     if (!motion) return motion.error();
     return std::vector<NamedMotion>{std::move(*motion)};
   }
+  if (file->find({""}) && holds_smpl_parameters(*file)) return refuse_what_is_no_positions(*file).error();
   if (const StoredArray* rows = file->find({""}); rows && !order && are_interhuman_rows(*rows)) {
     auto motion = interhuman_motion(*file, *rows);
     if (!motion) return motion.error();
@@ -271,8 +295,8 @@ Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::o
   }
   const auto persons = arrays_of_performers(*file);
   if (!persons) return persons.error();
-  const auto fps =
-      number_in(*file, {"fps", "frame_rate", "mocap_frame_rate", "mocap_framerate"}, "frames per second");
+  const auto fps = number_in(*file, {"fps", "frame_rate", "framerate", "mocap_frame_rate", "mocap_framerate"},
+                             "frames per second");
   if (!fps) return fps.error();
   const auto unit = number_in(*file, {"metres_per_unit"}, "metres per unit");
   if (!unit) return unit.error();
@@ -295,6 +319,9 @@ Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::o
     motion->fps = *fps;
     motion->metres_per_unit = *unit;
     motion->up_axis = *up;
+    auto parents = parents_in(*file, motion->points.size());
+    if (!parents) return parents.error();
+    motion->parents = std::move(*parents);
     warn_of_unused(*file, *persons, *motion);
     motions.push_back(std::move(*motion));
   }

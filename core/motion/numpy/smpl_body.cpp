@@ -135,8 +135,37 @@ Result<RestBody> rest_body(const SmplBodyFile& source, const Numbers& betas) {
   return body;
 }
 
+/// A row of Motion-X (Lin et al., NeurIPS 2023): SMPL-X's angles of root, body, hands and jaw, the face's
+/// expression and shape, the place and the betas.
+constexpr std::uint64_t motionx_columns = 322, motionx_trans = 309, motionx_betas = 312;
+constexpr double motionx_fps = 30;
+
+const StoredArray* motionx_rows(const NumpyFile& file) {
+  const StoredArray* rows = file.find({""});
+  const bool is_one = rows && !rows->trouble && rows->layout.is_number() && rows->layout.shape.size() == 2 &&
+                      rows->layout.shape[1] == motionx_columns && rows->layout.shape[0] > 0;
+  return is_one ? rows : nullptr;
+}
+
+/// `width` columns of each row of Motion-X, from `first` on.
+Result<Numeric> motionx_part(const NumpyFile& file, std::uint64_t first, std::uint64_t width) {
+  const auto rows = numbers_of(file, *motionx_rows(file));
+  if (!rows) return rows.error();
+  const std::uint64_t frames = rows->shape[0];
+  Numeric part{{frames, width}, Numbers(frames * width)};
+  for (std::uint64_t f = 0; f < frames; ++f)
+    std::copy_n(rows->values.begin() + static_cast<std::ptrdiff_t>(f * motionx_columns + first), width,
+                part.values.begin() + static_cast<std::ptrdiff_t>(f * width));
+  return part;
+}
+
 /// Betas of the whole motion; where they are given for each frame, those of the first.
 Result<Numbers> betas_of(const NumpyFile& file) {
+  if (motionx_rows(file)) {
+    auto all = motionx_part(file, motionx_betas, motionx_columns - motionx_betas);
+    if (all) all->values.resize(motionx_columns - motionx_betas);
+    return all ? Result<Numbers>(std::move(all->values)) : Result<Numbers>(all.error());
+  }
   const StoredArray* array = file.find({"betas", "beta", "shape"});
   if (!array) return Numbers();
   auto betas = numbers_of(file, *array);
@@ -164,7 +193,9 @@ Result<Numeric> poses_of(const NumpyFile& file, std::size_t joints) {
                    file.where() + ": poses"};
     return poses;
   }
-  auto root = array_of(file, {"root_orient", "global_orient"}, {0, 3}, "(frames, 3)");
+  const bool is_motionx = motionx_rows(file) != nullptr;
+  auto root = is_motionx ? motionx_part(file, 0, 3)
+                         : array_of(file, {"root_orient", "global_orient"}, {0, 3}, "(frames, 3)");
   if (!root) return root.error();
   const std::uint64_t frames = root->shape[0];
   Numeric poses{{frames, 3 * joints}, Numbers(frames * 3 * joints, 0.0)};
@@ -175,7 +206,8 @@ Result<Numeric> poses_of(const NumpyFile& file, std::size_t joints) {
                   poses.values.begin() + static_cast<std::ptrdiff_t>((f * joints + first) * 3));
   };
   put(*root, 0);
-  auto body = array_of(file, {"pose_body", "body_pose"}, {frames, 0}, "(frames, 63)");
+  auto body = is_motionx ? motionx_part(file, 3, 63)
+                         : array_of(file, {"pose_body", "body_pose"}, {frames, 0}, "(frames, 63)");
   if (!body) return body.error();
   // SMPL itself counts the hands as two joints of the body.
   if (const std::uint64_t width = body->shape[1]; width != 63 && !(width == 69 && joints == smpl_joints))
@@ -218,7 +250,8 @@ Eigen::Matrix3d turn_by(const Vec3& angle_axis) {
 }  // namespace
 
 bool holds_smpl_parameters(const NumpyFile& file) {
-  return (file.has("poses") && file.has("trans")) || file.has("pose_body") || file.has("body_pose");
+  return motionx_rows(file) || (file.has("poses") && file.has("trans")) || file.has("pose_body") ||
+         file.has("body_pose");
 }
 
 Result<NamedMotion> read_smpl(const NumpyFile& file, const SmplBodyFile& source) {
@@ -237,14 +270,17 @@ Result<NamedMotion> read_smpl(const NumpyFile& file, const SmplBodyFile& source)
   const auto poses = poses_of(file, joints);
   if (!poses) return poses.error();
   const std::uint64_t frames = poses->shape[0];
-  const auto trans = array_of(file, {"trans", "transl"}, {frames, 3}, "(" + std::to_string(frames) + ", 3)");
+  const bool is_motionx = motionx_rows(file) != nullptr;
+  const auto trans =
+      is_motionx ? motionx_part(file, motionx_trans, 3)
+                 : array_of(file, {"trans", "transl"}, {frames, 3}, "(" + std::to_string(frames) + ", 3)");
   if (!trans) return trans.error();
   const auto fps =
       number_in(file, {"fps", "frame_rate", "mocap_frame_rate", "mocap_framerate"}, "frames per second");
   if (!fps) return fps.error();
   motion.name = "smpl";
   motion.parents = body->parents;
-  motion.fps = *fps;
+  motion.fps = is_motionx ? motionx_fps : *fps;
   motion.metres_per_unit = 1.0;
   for (std::uint64_t f = 0; f < frames; ++f) {
     Positions places(body->joints.rows(), 3);

@@ -55,8 +55,8 @@ double length_s(const aiAnimation& animation) {
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, MotionFormat format, const std::string& file,
-              const std::string& animation)
-      : scene_(scene), format_(format), file_(file), wanted_(animation) {}
+              const std::string& animation, bool all_are_bones)
+      : scene_(scene), format_(format), file_(file), wanted_(animation), all_are_bones_(all_are_bones) {}
   Result<std::vector<NamedMotion>> read();
 
  private:
@@ -74,6 +74,7 @@ class SceneReader {
   const aiScene& scene_;
   MotionFormat format_;
   std::string file_, wanted_;
+  bool all_are_bones_;
   std::vector<SceneNode> nodes_;
   std::map<std::string, std::size_t> places_;
   std::vector<std::string> animations_;  ///< names of all, those that were taken first
@@ -117,6 +118,8 @@ Status SceneReader::add_nodes() {
 }
 
 void SceneReader::note_bones() {
+  if (all_are_bones_)
+    for (SceneNode& node : nodes_) node.is_bone = !node.name.empty();
   for (unsigned m = 0; m < scene_.mNumMeshes; ++m)
     for (unsigned b = 0; b < scene_.mMeshes[m]->mNumBones; ++b)
       if (const auto found = places_.find(scene_.mMeshes[m]->mBones[b]->mName.C_Str());
@@ -445,7 +448,9 @@ Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat
                      assimp_words(importer.GetErrorString()) +
                      "); export it again, or as another of FBX, GLB and BVH",
                  file};
-  return SceneReader(*scene, format, file, animation).read();
+  // An animation for characters: no mesh says which of its nodes are bones, and few may be moved.
+  const bool is_vrma = bytes.find("VRMC_vrm_animation") != std::string_view::npos;
+  return SceneReader(*scene, format, file, animation, is_vrma).read();
 }
 
 }  // namespace abrazo

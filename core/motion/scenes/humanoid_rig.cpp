@@ -79,23 +79,16 @@ void add_bone(const Json& node, const std::string& name, std::size_t nodes, Bone
     found.emplace(lower_case(name), node.get<int>());
 }
 
+const Json& in(const Json& of, const char* key) {
+  static const Json none = Json::object();
+  return of.is_object() && of.contains(key) ? of[key] : none;
+}
+
 /// By VRM's own list, else by names.
 BoneNodes bone_nodes(const Json& json) {
-  BoneNodes found;
-  const std::size_t nodes = json["nodes"].size();
-  const Json none = Json::object();
-  const auto in = [&](const Json& of, const char* key) -> const Json& {
-    return of.is_object() && of.contains(key) ? of[key] : none;
-  };
-  const Json& of_1 = in(in(in(in(json, "extensions"), "VRMC_vrm"), "humanoid"), "humanBones");
-  if (of_1.is_object())
-    for (const auto& [name, bone] : of_1.items()) add_bone(in(bone, "node"), name, nodes, found);
-  const Json& of_0 = in(in(in(in(json, "extensions"), "VRM"), "humanoid"), "humanBones");
-  if (of_0.is_array())
-    for (const Json& bone : of_0)
-      if (in(bone, "bone").is_string())
-        add_bone(in(bone, "node"), bone["bone"].get<std::string>(), nodes, found);
+  BoneNodes found = vrm_bone_nodes(json);
   if (!found.empty()) return found;
+  const std::size_t nodes = json["nodes"].size();
   for (std::size_t n = 0; n < nodes; ++n) {
     const Json& name = in(json["nodes"][n], "name");
     if (!name.is_string()) continue;
@@ -109,6 +102,22 @@ BoneNodes bone_nodes(const Json& json) {
 }
 
 }  // namespace
+
+BoneNodes vrm_bone_nodes(const Json& json) {
+  BoneNodes found;
+  const std::size_t nodes = json["nodes"].size();
+  for (const char* extension : {"VRMC_vrm", "VRMC_vrm_animation"}) {
+    const Json& bones = in(in(in(in(json, "extensions"), extension), "humanoid"), "humanBones");
+    if (bones.is_object())
+      for (const auto& [name, bone] : bones.items()) add_bone(in(bone, "node"), name, nodes, found);
+  }
+  const Json& of_0 = in(in(in(in(json, "extensions"), "VRM"), "humanoid"), "humanBones");
+  if (of_0.is_array())
+    for (const Json& bone : of_0)
+      if (in(bone, "bone").is_string())
+        add_bone(in(bone, "node"), bone["bone"].get<std::string>(), nodes, found);
+  return found;
+}
 
 double HumanoidRig::leg_length() const {
   const auto length = [&](const char* a, const char* b) { return (rest(a) - rest(b)).norm(); };

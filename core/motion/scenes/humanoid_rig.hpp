@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,9 @@ struct HumanoidRig {
   /// Hip to ankle, mean of both legs, at rest.
   double leg_length() const;
 };
+
+/// Nodes of the bones that a VRM (0.x, 1.0, or an animation) lists, by VRM's names in lower case.
+std::map<std::string, int, std::less<>> vrm_bone_nodes(const nlohmann::json& gltf);
 
 /// Bones are those that VRM lists, or found by the names of Mixamo or VRM.
 /// @param where  the file's name, for messages

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/joints/map_choice.hpp"
 #include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/point_csv_header.hpp"
 #include "core/motion/tables/table_line.hpp"
@@ -26,6 +29,28 @@ bool has_number(const std::vector<std::string_view>& fields) {
   return false;
 }
 
+/// Turns of joints in degrees, in columns called like places.
+bool look_like_angles(const NamedMotion& motion) {
+  constexpr std::size_t fewest_frames = 10;
+  constexpr double full_turn = 360.5, steady = 0.5;
+  const ChosenMap chosen = choose_map(motion, {});
+  if (!chosen.fits() || motion.frames.size() < fewest_frames) return false;
+  std::vector<std::vector<double>> lengths(bone_count);
+  for (const Positions& frame : motion.frames) {
+    if (!frame.allFinite()) continue;
+    if (frame.cwiseAbs().maxCoeff() > full_turn) return false;
+    const Body body = body_of(chosen.binding.joints_of(frame));
+    for (std::size_t b = 0; b < lengths.size(); ++b) lengths[b].push_back(body.bone_lengths[b]);
+  }
+  std::size_t unsteady = 0;
+  for (std::vector<double>& bone : lengths) {
+    if (bone.empty()) return false;
+    const auto [least, most] = std::ranges::minmax(bone);
+    if (most - least > steady * percentile(bone, 0.5)) ++unsteady;
+  }
+  return 2 * unsteady > lengths.size();
+}
+
 bool is_empty(const std::vector<std::string_view>& fields) {
   return std::ranges::all_of(fields, [](std::string_view field) { return field.empty(); });
 }
@@ -37,9 +62,12 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
     return Error{"is empty; expected a table of positions with columns such as root_x, root_y, root_z",
                  std::string(where)};
   LineReader lines(text);
+  const std::vector<std::string> others = skip_to_trajectories(lines);
   Result<PointCsvHeader> parsed = parse_point_csv_header(lines, where);
   if (!parsed) return parsed.error();
   PointCsvHeader& header = *parsed;
+  if (!others.empty())
+    header.warnings.push_back({"sections", 0, "the trajectories were read; not read: " + some_of(others)});
   PointRows rows(header.columns, header.time_field);
   std::size_t expected = 0;
   for (const PointColumn& column : header.columns)
@@ -61,7 +89,9 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
             !added)
           return added.error();
     if (rows.frames() == 0 && note_units(fields, header)) continue;
-    if (rows.frames() > 0 && !has_number(fields) && fields.size() < expected) break;  // another table follows
+    // Another table follows, its name perhaps filled up with commas.
+    const bool names_only = !has_number(fields) && !is_empty(fields);
+    if (rows.frames() > 0 && names_only && (fields.size() < expected || begins_section(fields))) break;
     const bool last = trimmed(lines.rest()).empty();
     if (fields.size() < expected && last && rows.frames() > 0) {
       header.warnings.push_back(
@@ -85,6 +115,11 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
   motion.metres_per_unit = header.metres_per_unit;
   motion.warnings.insert(motion.warnings.begin(), header.warnings.begin(), header.warnings.end());
   motion.name = stem_of(where);
+  if (look_like_angles(motion))
+    return Error{
+        "its numbers look like angles, not positions: bones would change their lengths all the time; export "
+        "the positions of the joints",
+        std::string(where)};
   return split_performers(std::move(motion), ":.");
 }
 

@@ -1,6 +1,7 @@
 #include "core/motion/tables/point_csv_header.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -193,6 +194,12 @@ void MotiveHeader::name_roots() {
     const bool is_skeleton = std::ranges::any_of(
         names, [&](const std::string& name) { return name.starts_with(column.name + ":"); });
     if (is_skeleton && !names.contains(column.name + ":Hip")) column.name += ":Hip";
+    // Motive 3 writes that as "Anna:Anna".
+    const auto colon = column.name.find(':');
+    const std::string skeleton = column.name.substr(0, colon);
+    if (colon != std::string::npos && column.name.substr(colon + 1) == skeleton &&
+        !names.contains(skeleton + ":Hip"))
+      column.name = skeleton + ":Hip";
   }
 }
 
@@ -232,6 +239,13 @@ Status MotiveHeader::read(const Fields& first) {
                   "the header of this export of Motive has no line that begins with Frame");
 }
 
+/// Nexus and Workstation: the rate has a line of its own, "100" or "100,Hz".
+bool is_rate_line(const Fields& fields) {
+  return parse_number(fields[0]) && std::all_of(fields.begin() + 1, fields.end(), [](auto field) {
+           return field.empty() || lower_case(field) == "hz";
+         });
+}
+
 Status check_columns(PointCsvHeader& header, std::string_view where, int line) {
   if (header.columns.size() > most_columns)
     return error_at(where, line, "names more than " + std::to_string(most_columns) + " points");
@@ -251,6 +265,31 @@ Status check_columns(PointCsvHeader& header, std::string_view where, int line) {
 
 }  // namespace
 
+bool begins_section(const std::vector<std::string_view>& fields) {
+  constexpr std::array<std::string_view, 6> sections = {"devices",  "joints",       "model outputs",
+                                                        "segments", "trajectories", "events"};
+  return std::ranges::find(sections, lower_case(fields[0])) != sections.end() &&
+         std::all_of(fields.begin() + 1, fields.end(), [](auto field) { return field.empty(); });
+}
+
+std::vector<std::string> skip_to_trajectories(LineReader& lines) {
+  std::vector<std::string> others;
+  LineReader ahead = lines, found = lines;
+  bool any = false;
+  for (std::string_view line; ahead.next(line);) {
+    if (line.empty() || std::isalpha(static_cast<unsigned char>(line.front())) == 0) continue;
+    const Fields fields = table_fields(line, table_separator(line, ','));
+    if (!begins_section(fields)) continue;
+    if (lower_case(fields[0]) != "trajectories")
+      others.emplace_back(fields[0]);
+    else if (!any)
+      found = ahead, any = true;
+  }
+  if (!any) return {};
+  lines = found;
+  return others;
+}
+
 Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_view where) {
   PointCsvHeader header;
   std::string_view line;
@@ -264,9 +303,7 @@ Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_vie
       if (const Status fit = check_columns(header, where, lines.number()); !fit) return fit.error();
       return header;
     }
-    const bool lone_number = fields.size() >= 1 && parse_number(fields[0]) &&
-                             std::all_of(fields.begin() + 1, fields.end(), [](auto f) { return f.empty(); });
-    if (lone_number) header.fps = parse_number(fields[0]);  // Nexus: the rate has a separate line
+    if (is_rate_line(fields)) header.fps = parse_number(fields[0]);
     const bool found =
         is_axis_line(fields) ? read_axis_line(fields, before, header) : read_axis_names(fields, header);
     if (found) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct PointCsvHeader {
   std::optional<double> metres_per_unit;
   std::vector<ImportWarning> warnings;
 };
+
+/// Whether a line begins one of the tables that Nexus writes one after the other into a file.
+bool begins_section(const std::vector<std::string_view>& fields);
+
+/// Skips to the trajectories of a file of Nexus, which may hold several tables in any order.
+/// @return names of the others; `lines` is unchanged if there are no trajectories
+std::vector<std::string> skip_to_trajectories(LineReader& lines);
 
 /// Reads up to the line above the first numbers. @return an Error if no line names x, y and z of points
 Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_view where);

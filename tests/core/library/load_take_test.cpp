@@ -86,6 +86,38 @@ TEST_F(LoadTake, SaysByHowManyFramesThePerformersDiffer) {
   EXPECT_THAT(refusal(), HasSubstr("take t: performer a has 12 frames and b 9, 3 fewer"));
 }
 
+/// One jumps through the whole take, so that no toe of theirs rests on the floor.
+TEST_F(LoadTake, PerformersOfTwoFilesStandOnOneFloor) {
+  const auto before = load_take(take, warnings);
+  ASSERT_TRUE(before.ok()) << before.error().text();
+  for (const char* file : {"a.bvh", "b.bvh"}) {
+    const bool jumps = file[0] == 'a';
+    Clip clip = jumps ? before->a : before->b;
+    for (Pose& pose : clip.poses) pose.col(1).array() += jumps ? 0.30 : 0;
+    write(file, {clip});
+  }
+  const auto after = load_take(take, warnings);
+  ASSERT_TRUE(after.ok()) << after.error().text();
+  EXPECT_NEAR(after->a.poses[5](0, 1) - before->a.poses[5](0, 1), 0.30, 1e-4);
+  EXPECT_NEAR(after->b.poses[5](0, 1), before->b.poses[5](0, 1), 1e-4);
+  EXPECT_THAT(warnings, Contains(HasSubstr("off the floor of the other performer; nobody was moved")));
+}
+
+/// Head down in most frames: the posture alone leaves open which axis points up.
+TEST_F(LoadTake, AnAxisThatOneLeavesOpenIsTheOthers) {
+  const PairedTake couple = test::circling_take("t", 12);
+  Clip down = couple.a;
+  for (Pose& pose : down.poses) {
+    pose.col(1) *= -1, pose.col(2) *= -1;
+    pose.col(1).array() -= pose.col(1).minCoeff();
+  }
+  write("a.bvh", {down}), write("b.bvh", {down});
+  EXPECT_GT(loaded().a.poses[0](joints::Head, 1), loaded().a.poses[0](0, 1))
+      << "taken as -Y, with a question";
+  write("b.bvh", {couple.b});
+  EXPECT_LT(loaded().a.poses[0](joints::Head, 1), loaded().a.poses[0](0, 1));
+}
+
 TEST_F(LoadTake, RefusesAFileThatShowsTwoWhereOneIsMeant) {
   take.b.motion = folder / "both.bvh";
   EXPECT_THAT(refusal(), HasSubstr("both.bvh: shows 2 performers; expected one"));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <filesystem>
 
 #include "core/library/takes/performer_name.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
@@ -24,15 +25,17 @@ class Pairing : public testing::Test {
            const std::string& skeleton = "") {
     const PairedTake take = test::circling_take("t", frames, distance_m);
     clips.push_back(follower ? take.b : take.a);
-    const auto slash = file.rfind('/'), dot = file.rfind('.');
-    performers.push_back({file, file.substr(slash + 1, dot - slash - 1), file, skeleton, &clips.back(), 1});
+    performers.push_back({file, file, skeleton, &clips.back(), 1});
   }
   /// "60_01+61_01" for each pair.
   std::vector<std::string> pairs() const {
     std::vector<std::string> found;
     for (const PairGuess& guess : guess_pairs(performers))
-      found.push_back(performers[guess.a].file_name + "+" + performers[guess.b].file_name);
+      found.push_back(stem(guess.a) + "+" + stem(guess.b));
     return found;
+  }
+  std::string stem(std::size_t performer) const {
+    return std::filesystem::path(performers[performer].file).stem().string();
   }
   PairGuess only() const {
     const auto guesses = guess_pairs(performers);
@@ -76,7 +79,7 @@ TEST_F(Pairing, ReadsTheRolesFromWords) {
   add("a_take1_leader.bvh", 40, false);
   const PairGuess guess = only();
   EXPECT_TRUE(guess.roles_known);
-  EXPECT_EQ(performers[guess.a].file_name, "a_take1_leader") << "the active one is a";
+  EXPECT_EQ(stem(guess.a), "a_take1_leader") << "the active one is a";
   EXPECT_EQ(guess.take, "a_take1");
   EXPECT_EQ(guess.confidence(), Confidence::Sure);
 }
@@ -89,7 +92,7 @@ TEST_F(Pairing, ReadsRolesInOddSpellings) {
     add(std::string(passive) + ".bvh", 40, true);
     add(std::string(active) + ".bvh", 40, false);
     EXPECT_TRUE(only().roles_known) << active;
-    EXPECT_EQ(performers[only().a].file_name, active);
+    EXPECT_EQ(stem(only().a), active);
   }
 }
 
@@ -178,8 +181,8 @@ TEST_F(Pairing, GivesNoTwoPairsOneName) {
   add("tue/x_A.bvh", 60, false), add("tue/x_B.bvh", 60, true);
   const auto guesses = guess_pairs(performers);
   ASSERT_EQ(guesses.size(), 2U);
-  EXPECT_EQ(guesses[0].take, "x");
-  EXPECT_EQ(guesses[1].take, "x_2");
+  EXPECT_EQ(guesses[0].take, "mon_x");
+  EXPECT_EQ(guesses[1].take, "tue_x");
 }
 
 TEST(PartsOfName, SplitAtDigitsCapitalsAndSeparators) {
@@ -188,27 +191,42 @@ TEST(PartsOfName, SplitAtDigitsCapitalsAndSeparators) {
   EXPECT_THAT(texts, ElementsAre("take", "two", "61", "b", "x"));
 }
 
+std::optional<NameDifference> difference_of(const char* first, const char* second) {
+  return difference_of_names(parts_of_name(first), parts_of_name(second));
+}
+
 TEST(DifferenceOfNames, IsNothingForNamesThatAreNotOfOneTake) {
-  EXPECT_FALSE(difference_of_names("walk_01", "walk_01"));
-  EXPECT_FALSE(difference_of_names("walk_01", "jump_02"));
-  EXPECT_FALSE(difference_of_names("walk_01", "walk_fast"));
-  EXPECT_FALSE(difference_of_names("", "b"));
+  EXPECT_FALSE(difference_of("walk_01", "walk_01"));
+  EXPECT_FALSE(difference_of("walk_01", "jump_02"));
+  EXPECT_FALSE(difference_of("walk_01", "walk_fast"));
+  EXPECT_FALSE(difference_of("", "b"));
 }
 
 TEST(DifferenceOfNames, IsOfLettersOnlyWhenBothAreOne) {
-  EXPECT_EQ(difference_of_names("walk_a", "walk_b")->contrast, NameContrast::Letters);
-  EXPECT_EQ(difference_of_names("walk_anna", "walk_b")->contrast, NameContrast::Words);
-  EXPECT_EQ(difference_of_names("walk_a", "walk_ben")->contrast, NameContrast::Words);
-  EXPECT_EQ(difference_of_names("walk_anna", "walk_ben")->contrast, NameContrast::Words);
+  EXPECT_EQ(difference_of("walk_a", "walk_b")->contrast, NameContrast::Letters);
+  EXPECT_EQ(difference_of("walk_anna", "walk_b")->contrast, NameContrast::Words);
+  EXPECT_EQ(difference_of("walk_a", "walk_ben")->contrast, NameContrast::Words);
+  EXPECT_EQ(difference_of("walk_anna", "walk_ben")->contrast, NameContrast::Words);
+}
+
+TEST(DifferenceOfNames, IsOfPerformersOrOfTakesByTheWordBeforeANumber) {
+  EXPECT_EQ(difference_of("10_C0", "10_C1")->contrast, NameContrast::Performers);
+  EXPECT_EQ(difference_of("person1/7", "person2/7")->contrast, NameContrast::Performers);
+  EXPECT_EQ(difference_of("walk_1", "walk_2")->contrast, NameContrast::Numbers);
+  EXPECT_FALSE(difference_of("take1", "take2"));
+  EXPECT_FALSE(difference_of("seq_1/0/motion", "seq_2/0/motion"));
 }
 
 TEST(SharedName, KeepsOneSeparatorBetweenTheParts) {
   const auto shared = [](const char* first, const char* second) {
-    return shared_name(first, *difference_of_names(first, second));
+    return shared_name(first, *difference_of(first, second));
   };
   EXPECT_EQ(shared("walk_a_01", "walk_b_01"), "walk_01");
   EXPECT_EQ(shared("a_walk_01", "b_walk_01"), "walk_01");
   EXPECT_EQ(shared("walk_01_a", "walk_01_b"), "walk_01");
+  EXPECT_EQ(shared("10_C0", "10_C1"), "10");
+  EXPECT_EQ(shared("s_1/0/x", "s_1/1/x"), "s_1/x");
+  EXPECT_EQ(shared("s/p1", "s/p2"), "s");
 }
 
 TEST(GuessSkeleton, TakesTheOneWhoseNameBeginsTheMotions) {

@@ -131,6 +131,29 @@ TEST(NumpyReader, ObjectsAreRefusedWhereTheyAreWantedAndLeftOutElsewhere) {
   EXPECT_EQ(test::the_warning(motion.warnings, "arrays").detail, "not read: notes");
 }
 
+TEST(NumpyReader, ReadsBoneNamesFrameratesAndParentsOfOtherPrograms) {
+  const std::vector<Pose> poses = dance();
+  const auto& own = builtin_joint_orders().front();
+  std::vector<double> parents(joint_parents.begin(), joint_parents.end());
+  const auto bytes_with = [&](const std::vector<double>& tree) {
+    const std::vector<ZipContent> files = {
+        {"bone_names.npy", npy_of_texts(own.points, {own.points.size()})},
+        {"framerate.npy", NpyBytes{"<f8", false, {1}}.of({50})},
+        {"parent_indices.npy", NpyBytes{"<i4", false, {tree.size()}}.of(tree)},
+        {"positions.npy", NpyBytes{"<f8", false, {poses.size(), 25, 3}}.of(in_c_order(poses))}};
+    return write_zip(files).value();
+  };
+  const auto motions = read_numpy(bytes_with(parents), {}, "a.npz");
+  ASSERT_TRUE(motions) << motions.error().text();
+  EXPECT_EQ(motions->front().fps, 50);
+  EXPECT_EQ(motions->front().points, own.points);
+  EXPECT_EQ(motions->front().parents, std::vector<int>(joint_parents.begin(), joint_parents.end()));
+  EXPECT_FALSE(test::has_warning(motions->front().warnings, "arrays"));
+  parents[3] = 3;
+  EXPECT_THAT(read_numpy(bytes_with(parents), {}, "a.npz").error().text(),
+              HasSubstr("parent_indices: expected for each of the 25 joints"));
+}
+
 TEST(NumpyReader, ReadsTwoPersons) {
   const std::string one = NpyBytes{"<f8", false, {1, 25, 3}}.of(in_c_order({test::standing_pose()}));
   const auto motions =

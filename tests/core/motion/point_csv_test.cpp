@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/motion/body/joint_set.hpp"
 #include "core/motion/tables/clip_csv.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
@@ -147,6 +148,51 @@ TEST(PointCsv, TheFirstBoneOfMotiveMayBeCalledLikeItsSkeleton) {
   EXPECT_EQ(motion.name, "Fred");
   EXPECT_EQ(place(motion, 0, "Hip"), Vec3(0, 2, 3));
   EXPECT_EQ(motion.points.size(), 9U);
+}
+
+TEST(PointCsv, Motive3CallsTheFirstBoneTwiceLikeItsSkeleton) {
+  std::string text = motive_export("Global");
+  for (auto at = text.find("Fred:Bone0"); at != std::string::npos; at = text.find("Fred:Bone0"))
+    text.replace(at, 10, "Fred:Fred");
+  EXPECT_THAT(read(text).front().points, testing::Contains("Hip"));
+}
+
+TEST(PointCsv, OfSeveralTablesOfNexusTheTrajectoriesAreRead) {
+  const std::string devices =
+      "Devices\n1000\n,,Force,,\nFrame,Sub Frame,Fx,Fy,Fz\n,,N,N,N\n1,0,5,6,7\n1,1,5,6,7\n\n";
+  const std::string model =
+      "Model Outputs,,,,\n100,,,,\n,,Angles,,\nFrame,Sub Frame,X,Y,Z\n,,deg,deg,deg\n1,0,8,8,8\n\n";
+  const std::string trajectories =
+      "Trajectories,,,,\n100,,,,\n,,M1,,\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n1,0,1,2,3\n2,0,4,5,6\n\n";
+  for (const std::string& text : {devices + model + trajectories, trajectories + devices + model,
+                                  model + trajectories + devices, trajectories}) {
+    const NamedMotion motion = read(text).front();
+    EXPECT_THAT(motion.points, ElementsAre("M1"));
+    ASSERT_EQ(motion.frames.size(), 2U) << text;
+    EXPECT_EQ(place(motion, 1, "M1"), Vec3(4, 5, 6));
+    EXPECT_EQ(motion.fps, 100);
+    EXPECT_EQ(motion.metres_per_unit, 0.001);
+    EXPECT_EQ(test::has_warning(motion.warnings, "sections"), text != trajectories);
+  }
+}
+
+TEST(PointCsv, TheRateOfAWorkstationIsBesideItsUnit) {
+  const NamedMotion motion =
+      read("Title\n\nTRAJECTORIES\n100,Hz\n,M1,,\nField #,X,Y,Z\n1,1,2,3\n2,4,5,6\n").front();
+  EXPECT_EQ(motion.fps, 100);
+}
+
+TEST(PointCsv, AnglesInColumnsLikePlacesAreRefused) {
+  std::string text;
+  for (const std::string_view joint : joint_names)
+    for (const char* axis : {".z", ".x", ".y"}) text += (text.empty() ? "" : ",") + std::string(joint) + axis;
+  for (int frame = 0; frame < 12; ++frame) {
+    text += "\n";
+    for (int column = 0; column < 3 * joint_count; ++column)
+      text += (column > 0 ? "," : "") +
+              std::to_string(40 * std::sin((0.5 + 0.07 * column) * frame + 1.3 * column));
+  }
+  EXPECT_THAT(message_of(text + "\n"), HasSubstr("its numbers look like angles, not positions"));
 }
 
 TEST(PointCsv, TakesTheColumnsThatAreCalledPositions) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -11,9 +12,13 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/limits.hpp"
+#include "core/base/text.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/motion/scenes/glb_file.hpp"
 #include "core/motion/scenes/read_worn_character.hpp"
+#include "core/motion/scenes/vrm_bones.hpp"
+#include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/support/libraries.hpp"
 
@@ -69,6 +74,40 @@ Vec3 place_of(const std::string& bone, const std::vector<float>& points) {
     for (int axis = 0; axis < 3; ++axis)
       sum[axis] += static_cast<double>(points[first + 3 * corner + static_cast<std::size_t>(axis)]) / 3;
   return sum;
+}
+
+TEST(VrmBones, ACharacterWithoutAnimationHasItsRestPose) {
+  for (const Naming naming : {Naming::Vrm0, Naming::Vrm1}) {
+    auto glb = *parse_glb(skinned_rig(naming), "figure.vrm");
+    glb.json.erase("animations");
+    const auto rest = rest_pose_of_vrm(*glb_text(glb, "figure.vrm"), "figure.vrm");
+    ASSERT_TRUE(rest) << rest.error().text();
+    ASSERT_TRUE(rest->has_value());
+    const NamedMotion& motion = **rest;
+    ASSERT_EQ(motion.frames.size(), 1U);
+    const double front = naming == Naming::Vrm0 ? -1 : 1;
+    for (const test::RigBone& bone : rig_bones()) {
+      const Vec3 at = test::place(motion, 0, lower_case(bone.vrm));
+      EXPECT_LT((at - Vec3(front * bone.at.x(), bone.at.y(), front * bone.at.z())).norm(), 1e-6) << bone.vrm;
+    }
+    const auto body = import_clip(motion, {});
+    ASSERT_TRUE(body) << body.error().text();
+    EXPECT_EQ(body->report.joint_map, "unity");
+  }
+  EXPECT_FALSE(rest_pose_of_vrm(skinned_rig(Naming::Mixamo), "figure.glb")->has_value());
+}
+
+TEST(VrmBones, NodesAreCalledAsVrmListsThem) {
+  auto glb = *parse_glb(skinned_rig(Naming::Vrm1), "figure.glb");
+  NamedMotion motion;
+  for (Json& node : glb.json["nodes"]) {
+    node["name"] = "n" + std::to_string(motion.points.size());
+    motion.points.push_back(node["name"]);
+  }
+  std::vector<NamedMotion> motions = {motion};
+  name_by_vrm(*glb_text(glb, "figure.glb"), motions);
+  for (const test::RigBone& bone : rig_bones())
+    EXPECT_EQ(std::ranges::count(motions[0].points, lower_case(bone.vrm)), 1) << bone.vrm;
 }
 
 TEST_F(WornCharacters, AtRestThePointsAreWhereTheMeshHasThem) {
