@@ -12,6 +12,7 @@
 #include "widgets/common/theme.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/panel/scene_overlay.hpp"
+#include "widgets/scene/view/scene_pictures.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::widgets::scene_camera_test {
@@ -184,6 +185,34 @@ TEST(SceneView, ShowsAllWithHomeWhileItHasTheKeyboard) {
   ASSERT_LT(scene.view.camera().distance_m, fits);
   QTest::keyClick(scene.surface(), Qt::Key_Home);
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(scene.view.camera().distance_m - fits) < 0.1; }, 2000));
+}
+
+/// A pair that walks 6 m, in a film of each shape: the camera stood still, and they left the picture.
+TEST(ScenePictures, AFilmKeepsBothBodiesWholeInPicturesOfEveryShape) {
+  constexpr int steps = 60;
+  constexpr double step_m = 0.1;
+  ScenePictures::Look look;
+  look.library = test::two_take_library();
+  look.visibility = {};
+  for (const ScenePart part : {ScenePart::Leader, ScenePart::Follower})
+    look.visibility[static_cast<std::size_t>(part)] = true;
+  for (const QSize size : {QSize(360, 640), QSize(320, 320), QSize(640, 360), QSize(800, 300)}) {
+    ScenePictures film(size, look);
+    for (int step = 0; step < steps; ++step) {
+      auto frame = std::make_shared<FrameSnapshot>(*test::synthetic_frame(3, 0.05));
+      frame->index = static_cast<std::uint64_t>(step);
+      frame->time_s = step / 15.0;
+      frame->result.result.col(0).array() += step * step_m;
+      const QImage picture = film.picture(frame);
+      if (step % 10 != 9) continue;
+      const QColor colours[] = {dark().leader, dark().follower};
+      for (const QColor& body : colours) {
+        EXPECT_GT(pixels_of_hue(picture, body), size.width() * size.height() / 400) << step;
+        for (const QRect edge : {QRect(0, 0, 2, size.height()), QRect(size.width() - 2, 0, 2, size.height())})
+          EXPECT_EQ(pixels_of_hue(picture.copy(edge), body), 0) << step << " at " << size.width();
+      }
+    }
+  }
 }
 
 }  // namespace
