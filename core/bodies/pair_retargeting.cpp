@@ -18,6 +18,7 @@ namespace abrazo {
 namespace {
 
 constexpr double smoothed_over_s = 0.1;  ///< to either side
+constexpr double planned_foot = 200;     ///< weight of a foot on its planned path, in the air too
 constexpr std::size_t block_frames = 32;
 
 /// The frames of a take, and what is planned for them.
@@ -81,8 +82,9 @@ bool make_meshes(Plan& plan, const Progress& progress) {
   });
 }
 
-bool fit_frames(const Plan& plan, const PairCapsules& capsules, const FitWeights& weights, bool stand,
+bool fit_frames(const Plan& plan, const PairCapsules& capsules, FitWeights weights, bool stand,
                 const Progress& progress, std::string_view doing, std::vector<PairFit::Outcome>& outcomes) {
+  if (stand) weights.foot = planned_foot;
   outcomes.resize(plan.frames());
   const std::size_t blocks = (plan.frames() + block_frames - 1) / block_frames;
   return for_each_row(blocks, 1, progress, doing, [&](std::size_t block) {
@@ -147,9 +149,10 @@ Plan planned(const RecordedPair& recorded, const PairBodies& bodies) {
 void measure_holds(const PairPose& recorded, RetargetedFrame& made) {
   for (const HandEnds& hands : all_hand_ends) {
     if (!hands_hold(recorded, hands)) continue;
-    ++made.holds;
-    made.hold_change_m =
-        std::max(made.hold_change_m, std::abs(hands_apart(made.pose, hands) - hands_apart(recorded, hands)));
+    const double change_m = std::abs(hands_apart(made.pose, hands) - hands_apart(recorded, hands));
+    if (made.holds++ > 0 && change_m <= made.hold_change_m) continue;
+    made.hold_change_m = change_m;
+    made.changed_hold = hands;
   }
 }
 
@@ -175,7 +178,10 @@ std::string RetargetedFrame::shortfall() const {
     text = fmt::format("feet slip by {:.0f} mm", 1000 * foot_drift_m);
   if (let_go == PairFit::LetGo::Everything) text = "the relation of the bodies could not be met";
   if (hold_change_m > reachable_m)
-    text += fmt::format("{}a hold opens by {:.0f} mm", text.empty() ? "" : ", ", 1000 * hold_change_m);
+    text += fmt::format(
+        "{}the active body's {} hand and the passive body's {} hand are out of reach by {:.0f} mm",
+        text.empty() ? "" : ", ", changed_hold.active == joints::left_hand ? "left" : "right",
+        changed_hold.passive == joints::left_hand ? "left" : "right", 1000 * hold_change_m);
   return "nearest pose, " + text;
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/bodies/recorded_pair.hpp"
+#include "core/mesh/capsules.hpp"
 #include "core/synthesis/bodies/pair_fit.hpp"
 #include "core/synthesis/bodies/placed_pair.hpp"
 
@@ -26,6 +27,7 @@ struct RetargetedFrame {
   double excess_m = 0;           ///< deepest overlap beyond the recording's
   int holds = 0;                 ///< hands that hold one another in the recording
   double hold_change_m = 0;      ///< largest change of the distance of two hands that hold one another
+  HandEnds changed_hold{};       ///< those hands
   std::array<bool, 4> stands{};  ///< active left, active right, passive left, passive right
 
   /// Whether the recorded pose is impossible for these bodies: a hold opens by more than `reachable_m`, or

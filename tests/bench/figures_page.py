@@ -317,13 +317,16 @@ def other_bodies(reports):
     rows = []
     for pair in value(reports["salsa-bodies"], "bodies.pairs"):
         ours = (pair["retargeted"], pair["live"])
-        rows.append([pair["bodies"], both(*(number(m["contact_25cm"]["f1"]) for m in ours)),
+        posture = [both(*(", ".join(number(m[f"posture_{body}"][key]) for body in ("active", "passive")) for m in ours))
+                   for key in ("pelvis_height_ratio", "knee_change_deg", "trunk_change_deg")]
+        rows.append([pair["bodies"], *posture, both(*(number(m["contact_25cm"]["f1"]) for m in ours)),
                      number(max(pair[other]["contact_25cm"]["f1"] for other in BASELINES)),
                      *(both(*(number(m[key], scale) for m in ours)) for _, key, scale in BODY_COLUMNS)])
     return ("Recorded pairs on other bodies, captured salsa, offline (`abrazo retarget`)/live without the future. Contact is F1 against the "
             "recording, of joints within 25 cm, beside the best baseline (joint angles copied, the paper's mesh, no mesh); sliding, speed and "
-            "acceleration are divided by those of the recording.\n\n"
-            + rows_of(["bodies", "contact", "baseline", *(title for title, _, _ in BODY_COLUMNS)], rows))
+            "acceleration are divided by those of the recording. Posture, active, passive body: height of the pelvis over the recorded one in "
+            "proportion, changes of the angles of knees (negative: more bent) and trunk in degrees.\n\n"
+            + rows_of(["bodies", "pelvis", "knees", "trunk", "contact", "baseline", *(title for title, _, _ in BODY_COLUMNS)], rows))
 
 
 def suggested_labels(reports):

@@ -66,7 +66,8 @@ def evaluation(preset):
 
 
 def everything():
-    method = {"contact_15cm": {"f1": 0.9}, "contact_25cm": {"f1": 0.95}, "hold_change_mean_m": 0.002, "hold_change_p95_m": 0.004,
+    posture = {"pelvis_height_ratio": 0.99, "knee_change_deg": -2.5, "trunk_change_deg": 0.3}
+    method = {"posture_active": posture, "posture_passive": posture, "contact_15cm": {"f1": 0.9}, "contact_25cm": {"f1": 0.95}, "hold_change_mean_m": 0.002, "hold_change_p95_m": 0.004,
               "penetration_excess_p99_m": 0, "slide_ratio": 1.1, "speed_p99_ratio": 1.0, "acceleration_p99_ratio": 1.2, "nearest_only": 0}
     counts = {"frame_share": 0.78, "found": 99, "moves": 139, "proposed": 125, "f1": 0.75, "boundary_median_frames": 10}
     reports = {}

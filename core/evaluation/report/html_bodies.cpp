@@ -13,7 +13,13 @@ std::vector<std::string> body_cells(std::string_view name, const BodyFigures& fi
   const auto score = [](const ContactScore& contact) {
     return fmt::format("{:.2f} / {:.2f} / {:.3f}", contact.precision, contact.recall, contact.f1);
   };
+  const auto posture = [](const PostureChange& change) {
+    return fmt::format("{:.2f}, {:+.1f}\u00b0, {:+.1f}\u00b0", change.pelvis, change.knee_deg,
+                       change.trunk_deg);
+  };
   return {std::string(name),
+          posture(figures.posture[0]),
+          posture(figures.posture[1]),
           score(figures.within_15cm),
           score(figures.within_25cm),
           number_text(1000 * figures.hold_change_mean_m) + " mm",
@@ -27,9 +33,10 @@ std::vector<std::string> body_cells(std::string_view name, const BodyFigures& fi
 
 std::string bodies_of_row(const BodyRow& row) {
   HtmlTable html("Bodies as a ratio of the recorded lengths: " + row.bodies + ".",
-                 {"method", "contacts within 15 cm: precision / recall / F1", "within 25 cm",
-                  "change of holds, mean", "penetration beyond the recording's, p99", "feet on the floor",
-                  "sliding", "speed, p99", "acceleration, p99", "bone error"});
+                 {"method", "posture of the active body: pelvis, knees, trunk", "of the passive body",
+                  "contacts within 15 cm: precision / recall / F1", "within 25 cm", "change of holds, mean",
+                  "penetration beyond the recording's, p99", "feet on the floor", "sliding", "speed, p99",
+                  "acceleration, p99", "bone error"});
   for (std::size_t m = 0; m < row.methods.size(); ++m)
     html.row(body_cells(body_method_names[m], row.methods[m]),
              m <= 1 ? HtmlTable::Row::Own : HtmlTable::Row::Baseline);
@@ -60,7 +67,10 @@ std::optional<HtmlSection> bodies_section(const Evaluation& evaluation) {
   std::string content = html_finding(bodies_finding(bodies));
   for (const BodyRow& row : bodies.rows) content += bodies_of_row(row);
   content += html_definitions(
-      {"Recorded pairs on other bodies, whole takes. Live: as the solver shows a pair on other bodies, frame "
+      {"Posture: height of the pelvis over the recorded one, in proportion to the legs; changes of the "
+       "angles "
+       "of the knees (negative: more bent) and of the trunk against the vertical. Means over the frames.",
+       "Recorded pairs on other bodies, whole takes. Live: as the solver shows a pair on other bodies, frame "
        "by "
        "frame without the future; the active pose is given. Joint angles copied: bones keep their "
        "directions, the "

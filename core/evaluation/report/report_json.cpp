@@ -291,6 +291,13 @@ void write_contact_score(JsonText& json, std::string_view key, const ContactScor
   json.key("f1").value(score.f1);
 }
 
+void write_posture(JsonText& json, std::string_view key, const PostureChange& posture) {
+  const Object object(json, key);
+  json.key("pelvis_height_ratio").value(posture.pelvis);
+  json.key("knee_change_deg").value(posture.knee_deg);
+  json.key("trunk_change_deg").value(posture.trunk_deg);
+}
+
 void write_bodies(JsonText& json, const BodyTable& bodies) {
   const Object object(json, "bodies");
   json.key("takes").value(bodies.takes);
@@ -305,6 +312,8 @@ void write_bodies(JsonText& json, const BodyTable& bodies) {
       const Object method(json, body_method_keys[m]);
       write_contact_score(json, "contact_15cm", figures.within_15cm);
       write_contact_score(json, "contact_25cm", figures.within_25cm);
+      write_posture(json, "posture_active", figures.posture[0]);
+      write_posture(json, "posture_passive", figures.posture[1]);
       json.key("hold_change_mean_m").value(figures.hold_change_mean_m);
       json.key("hold_change_p95_m").value(figures.hold_change_p95_m);
       json.key("penetration_excess_p99_m").value(figures.penetration_excess_p99_m);

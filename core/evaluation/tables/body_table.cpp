@@ -27,6 +27,8 @@ constexpr std::array all_variants = {
     BodyVariant{"both 1.3", {.all = 1.3}, {.all = 1.3}},
     BodyVariant{"active 0.85", {.all = 0.85}, {}, true},
     BodyVariant{"active 1.15", {.all = 1.15}, {}, true},
+    BodyVariant{"active 0.85, passive 1.15", {.all = 0.85}, {.all = 1.15}, true},
+    BodyVariant{"active 1.15, passive 0.85", {.all = 1.15}, {.all = 0.85}, true},
     BodyVariant{"active 1.3, passive 0.85", {.all = 1.3}, {.all = 0.85}},
     BodyVariant{"both arms 1.2", {.arms = 1.2}, {.arms = 1.2}},
     BodyVariant{"both legs 0.85", {.legs = 0.85}, {.legs = 0.85}},
@@ -56,6 +58,7 @@ struct Collected {
   ContactCount within_15cm{0.15}, within_25cm{0.25};
   HoldMetric holds{never_lost_m};
   std::vector<double> excesses_m, slides_m_s, speeds, accelerations;
+  std::array<PostureChange, 2> posture{{{0, 0, 0}, {0, 0, 0}}};  ///< sums
   double floor_feet = 0, standing_feet = 0, nearest_only = 0, frames = 0, bone_error = 0;
 };
 
@@ -111,14 +114,25 @@ void collect_feet(const std::vector<Pose>& made, const std::vector<Pose>& record
   }
 }
 
+void collect_posture(const std::vector<Pose>& made, const std::vector<Pose>& recorded, double legs,
+                     PostureChange& sum) {
+  for (std::size_t f = 0; f < made.size(); ++f) {
+    const PostureChange change = posture_change(made[f], recorded[f], legs);
+    sum.pelvis += change.pelvis;
+    sum.knee_deg += change.knee_deg;
+    sum.trunk_deg += change.trunk_deg;
+  }
+}
+
 void collect(const std::vector<PairPose>& made, const std::vector<PairPose>& recorded, double fps,
              const PairBodies& bodies, const PairCapsules& capsules, Collected& all) {
   collect_contacts(made, recorded, capsules, all);
   for (const bool active : {true, false}) {
     const BodyChange& change = active ? bodies.active : bodies.passive;
-    const std::vector<Pose> poses = body_of_pairs(made, active);
+    const std::vector<Pose> poses = body_of_pairs(made, active), before = body_of_pairs(recorded, active);
     collect_movement(poses, fps, change.legs(), all);
-    collect_feet(poses, body_of_pairs(recorded, active), fps, change.legs(), all);
+    collect_feet(poses, before, fps, change.legs(), all);
+    collect_posture(poses, before, change.legs(), all.posture[active ? 0 : 1]);
     all.bone_error = std::max(all.bone_error, measure_bone_lengths(poses, change.to).max);
   }
   all.frames += static_cast<double>(made.size());
@@ -140,6 +154,11 @@ BodyFigures figures_of(const Collected& all, const Collected& recording) {
   figures.acceleration_p99_ratio =
       share(percentile(all.accelerations, 0.99), percentile(recording.accelerations, 0.99));
   figures.bone_error_max = all.bone_error;
+  for (std::size_t b = 0; b < figures.posture.size(); ++b) {
+    const PostureChange& sum = all.posture[b];
+    figures.posture[b] = {share(sum.pelvis, all.frames), share(sum.knee_deg, all.frames),
+                          share(sum.trunk_deg, all.frames)};
+  }
   figures.nearest_only = share(all.nearest_only, all.frames);
   return figures;
 }

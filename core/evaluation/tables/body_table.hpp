@@ -10,6 +10,7 @@
 #include "core/base/result.hpp"
 #include "core/bodies/pair_retargeting.hpp"
 #include "core/library/takes/paired_take.hpp"
+#include "core/metrics/posture.hpp"
 
 namespace abrazo {
 
@@ -49,7 +50,8 @@ struct BodyFigures {
   double slide_m_s = 0;      ///< of landed toe bases
   double slide_ratio = 0, speed_p99_ratio = 0, acceleration_p99_ratio = 0;  ///< 1 for the recording
   double bone_error_max = 0;
-  double nearest_only = 0;  ///< share of frames reported as nearest pose; only of ours
+  std::array<PostureChange, 2> posture;  ///< of active and passive body, means over the frames
+  double nearest_only = 0;               ///< share of frames reported as nearest pose; only of ours
 };
 
 struct BodyRow {

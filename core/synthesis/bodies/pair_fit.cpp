@@ -47,8 +47,8 @@ PairFit::Outcome PairFit::fit(const FitTask& task) {
   anchored_ = weights_.place * task.rebuilt;
   for (const int first : {0, joint_count})
     for (const int joint : foot_joints) {
-      energy(first + joint, first + joint) += weights_.free_foot;
-      anchored_.row(first + joint) += weights_.free_foot * task.rebuilt.row(first + joint);
+      energy(first + joint, first + joint) += weights_.foot;
+      anchored_.row(first + joint) += weights_.foot * task.rebuilt.row(first + joint);
     }
   if (task.smoothed) {
     const double smooth = task.smooth_share * weights_.smooth;
@@ -64,6 +64,7 @@ PairFit::Outcome PairFit::fit(const FitTask& task) {
     energy(toe_base, toe_base) += task.foot_weights[foot];
     anchored_.row(toe_base) += task.foot_weights[foot] * task.rebuilt.row(toe_base);
   }
+  add_posture(task.rebuilt, weights_.posture, energy, anchored_);
   add_hold_springs(task.holds, task.hold_weight, energy, anchored_);
 
   Outcome outcome;
@@ -89,9 +90,10 @@ PairFit::Outcome PairFit::fit(const FitTask& task) {
 bool PairFit::morph(LetGo let_go) {
   rows_.clear();
   active_rows_.clear();
-  iterate_ = task_->rebuilt;
-  for (int step = 1; step <= morph_steps; ++step)
-    if (!solve_step(let_go, static_cast<double>(step) / morph_steps)) return false;
+  iterate_ = task_->smoothed ? *task_->smoothed : task_->rebuilt;
+  if (!task_->smoothed)
+    for (int step = 1; step <= morph_steps; ++step)
+      if (!solve_step(let_go, static_cast<double>(step) / morph_steps)) return false;
   for (int step = 0; step < further_steps; ++step)
     if (!solve_step(let_go, 1)) return false;
   for (int step = 0;; ++step) {

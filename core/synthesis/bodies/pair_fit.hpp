@@ -7,6 +7,7 @@
 #include "core/base/positions.hpp"
 #include "core/mesh/capsules.hpp"
 #include "core/synthesis/bodies/placed_pair.hpp"
+#include "core/synthesis/bodies/posture.hpp"
 #include "core/synthesis/bodies/split_mesh.hpp"
 #include "core/synthesis/edit/capsule_contacts.hpp"
 #include "core/synthesis/edit/constrained_solver.hpp"
@@ -16,9 +17,10 @@ namespace abrazo {
 /// Weights of a fit, all against the unit weight of the mesh's shape.
 struct FitWeights {
   RelationWeights relation;
-  double place = 0.02;   ///< of every joint at the rebuilt pair
-  double free_foot = 4;  ///< of ankle, toe base and toe tip at the rebuilt pair
-  double smooth = 30;    ///< of every joint at the smoothed pair, if there is one
+  PostureWeights posture;
+  double place = 0.02;  ///< of every joint at the rebuilt pair
+  double foot = 4;      ///< of ankle, toe base and toe tip at the rebuilt pair
+  double smooth = 30;   ///< of every joint at the smoothed pair, if there is one
 };
 
 /// Radii of both bodies, recorded and new.
@@ -34,8 +36,8 @@ struct FitTask {
   /// Standing feet, active left, active right, passive left, passive right: their toe bases stay at those of
   /// the rebuilt pair.
   std::array<bool, 4> stands{};
-  const PairPose* smoothed = nullptr;
-  double smooth_share = 1;  ///< times the weight of the smoothed pair
+  const PairPose* smoothed = nullptr;  ///< begins there, so that equally good poses do not alternate
+  double smooth_share = 1;             ///< times the weight of the smoothed pair
 
   // Of a live pair, whose active pose is given and whose feet are on their way.
   double given = 0;                         ///< weight of the active body's joints at the rebuilt pair

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double usual_step_s = 1.0 / 60;
 constexpr double hold_weight = 200;
-constexpr double foot_weight = 400;  ///< of a toe base on the floor, at its rebuilt place
+constexpr double foot_weight = 20000;  ///< of a toe base on the floor, at its rebuilt place
 constexpr double foot_height_m = 0.04;
 /// A foot changes its offset as it moves, by 63 % on this way: a standing foot stands, a sliding one slides.
 constexpr double foot_way_m = 0.15;
@@ -22,11 +22,22 @@ constexpr double least_relation = 10;  ///< weight against those of near joints:
 constexpr double farthest_shift_m = 0.6;
 constexpr double returns_s = 0.5;
 constexpr double hold_opens_m = 0.05;
+/// In the order of `all_hand_ends`.
+constexpr std::array<std::string_view, 4> out_of_reach = {
+    "nearest pose: the user's left hand and the partner's left hand are out of reach",
+    "nearest pose: the user's left hand and the partner's right hand are out of reach",
+    "nearest pose: the user's right hand and the partner's left hand are out of reach",
+    "nearest pose: the user's right hand and the partner's right hand are out of reach"};
 
-/// Frames come one by one, so smoothing costs lag: less of it than offline, where it looks both ways.
+/// Frames come one by one, so smoothing costs lag: less of it than offline, where it looks both ways. One
+/// body is given, so the other gives way alone: all that it has to keep counts more.
 FitWeights live_weights() {
   FitWeights weights;
   weights.smooth = 10;
+  weights.relation.contact *= 2;
+  weights.relation.near *= 2;
+  weights.posture.legs *= 4;
+  weights.posture.trunk *= 2;
   return weights;
 }
 
@@ -96,7 +107,7 @@ void ShownBodies::judge(const ShownTask& task) {
   for (const HandEnds& hands : all_hand_ends)
     if (hands_hold(task.solved, hands) &&
         std::abs(hands_apart(outcome_.pose, hands) - hands_apart(task.solved, hands)) > hold_opens_m)
-      shortfall_ = "nearest pose: these bodies cannot keep a hold";
+      shortfall_ = out_of_reach[static_cast<std::size_t>(&hands - all_hand_ends.data())];
   if (outcome_.let_go == LetGo::Capsules)
     shortfall_ = "nearest pose: these bodies overlap more than the recorded ones";
   if (outcome_.let_go > LetGo::Capsules)

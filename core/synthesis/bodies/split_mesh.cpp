@@ -2,12 +2,29 @@
 
 #include <cmath>
 
+#include "core/motion/body/joint_set.hpp"
+
 namespace abrazo {
 
 namespace {
 
 double decayed(double distance_m, double width_m) {
   return std::exp(-(distance_m * distance_m) / (width_m * width_m));
+}
+
+bool is_of_arm(int vertex) {
+  const int joint = vertex % joint_count;
+  return (joint >= joints::left_elbow && joint <= joints::left_hand) ||
+         (joint >= joints::right_elbow && joint <= joints::right_hand);
+}
+
+/// q_as. Arms reach; what they do not touch stays in proportion to its body above the floor.
+Eigen::RowVector3d kept_vector(const RelationWeights& weights, int a, int s,
+                               const Eigen::RowVector3d& recorded, const Eigen::RowVector3d& rebuilt) {
+  Eigen::RowVector3d kept = recorded;
+  if (!is_of_arm(a) && !is_of_arm(s))
+    kept.y() = rebuilt.y() + weights.recorded_height * (recorded.y() - rebuilt.y());
+  return kept;
 }
 
 }  // namespace
@@ -38,19 +55,21 @@ void SplitMesh::build(std::span<const MeshEdge> edges, const PairPose& recorded,
   start_ = transposed_times(delta);
   for (const auto& [a, s] : edges) {
     if (!is_inter_body({a, s})) continue;
-    const Eigen::RowVector3d kept = recorded.row(a) - recorded.row(s);
+    const Eigen::RowVector3d was = recorded.row(a) - recorded.row(s);
     const Eigen::RowVector3d changed = rebuilt.row(a) - rebuilt.row(s);
-    const Eigen::RowVector3d difference = decayed(kept.norm(), weights.mesh_width_m) * (kept - changed);
+    const Eigen::RowVector3d difference =
+        decayed(was.norm(), weights.mesh_width_m) * (kept_vector(weights, a, s, was, changed) - changed);
     delta.row(a) += laplacian_.weight(a, s) * difference;
     delta.row(s) -= laplacian_.weight(s, a) * difference;
   }
   goal_ = transposed_times(delta);
   for (int a = 0; a < joint_count; ++a)
     for (int s = joint_count; s < pair_vertex_count; ++s) {
-      const Eigen::RowVector3d kept = recorded.row(a) - recorded.row(s);
-      const double k = relation_weight(weights, kept.norm());
+      const Eigen::RowVector3d was = recorded.row(a) - recorded.row(s);
+      const double k = relation_weight(weights, was.norm());
       if (k <= 0) continue;
       const Eigen::RowVector3d changed = rebuilt.row(a) - rebuilt.row(s);
+      const Eigen::RowVector3d kept = kept_vector(weights, a, s, was, changed);
       energy_(a, a) += k;
       energy_(s, s) += k;
       energy_(a, s) -= k;

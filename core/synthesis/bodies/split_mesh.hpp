@@ -16,15 +16,19 @@ struct RelationWeights {
   double near_width_m = 0.30;
   double far_m = 0.5;          ///< pairs farther apart have only the mesh
   double mesh_width_m = 0.35;  ///< a mesh edge between the bodies keeps its vector by exp(-(d/width)^2)
+  /// Share of the recorded height of one joint above the other, if neither is an elbow, wrist or hand; the
+  /// rest is that of the rebuilt bodies, which stand on one floor.
+  double recorded_height = 0.5;
 };
 
 /// An interaction mesh whose edges have targets for changed bodies: edges within a body have the shape of
-/// the rebuilt body, and so scale with it; edges between the bodies have the recorded vector where the
-/// bodies are near, and that of the rebuilt pair where they are far. In addition a spring for every near pair
-/// of joints,
+/// the rebuilt body, and so scale with it; edges between the bodies have the kept vector where the bodies are
+/// near, and that of the rebuilt pair where they are far. The kept vector q is the recorded one if an elbow,
+/// wrist or hand is at one of its ends; otherwise its height is between the recorded and the rebuilt one. In
+/// addition a spring for every near pair of joints,
 ///   k(d) = contact exp(-(d/contact_width)^2) + near exp(-(d/near_width)^2),
 /// whether or not the mesh has an edge there, so that it does not change with the mesh. Energy:
-///   1/2 sum_j |L(v_j) - delta_j|^2 + 1/2 sum k |(v_a - v_s) - (r_a - r_s)|^2,
+///   1/2 sum_j |L(v_j) - delta_j|^2 + 1/2 sum k |(v_a - v_s) - q_as|^2,
 /// delta_j = sum_l w_jl g_jl with these edges g.
 class SplitMesh {
  public:

@@ -4,19 +4,21 @@
 
 namespace abrazo {
 
+void add_spring(int a, int b, double stiffness, const Vec3& offset, VertexMatrix& energy, PairPose& linear) {
+  energy(a, a) += stiffness;
+  energy(b, b) += stiffness;
+  energy(a, b) -= stiffness;
+  energy(b, a) -= stiffness;
+  linear.row(b) += stiffness * offset.transpose();
+  linear.row(a) -= stiffness * offset.transpose();
+}
+
 void add_hold_springs(std::span<const HandHold> holds, double weight, VertexMatrix& energy,
                       PairPose& linear) {
-  for (const HandHold& hold : holds) {
-    const double stiffness = weight * hold.strength;
-    const int a = hold.active_left ? joints::left_hand : joints::right_hand;
-    const int s = joint_count + (hold.passive_left ? joints::left_hand : joints::right_hand);
-    energy(a, a) += stiffness;
-    energy(s, s) += stiffness;
-    energy(a, s) -= stiffness;
-    energy(s, a) -= stiffness;
-    linear.row(s) += stiffness * hold.offset.transpose();
-    linear.row(a) -= stiffness * hold.offset.transpose();
-  }
+  for (const HandHold& hold : holds)
+    add_spring(hold.active_left ? joints::left_hand : joints::right_hand,
+               joint_count + (hold.passive_left ? joints::left_hand : joints::right_hand),
+               weight * hold.strength, hold.offset, energy, linear);
 }
 
 }  // namespace abrazo

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "core/choreography/salsa.hpp"
 #include "core/metrics/bone_lengths.hpp"
 #include "core/metrics/holds.hpp"
+#include "core/metrics/posture.hpp"
 #include "core/motion/body/body_choice.hpp"
 #include "core/motion/body/joint_set.hpp"
 
@@ -78,6 +80,43 @@ TEST(PairRetargeting, HoldsKeepTheirDistanceWhateverTheSize) {
   }
 }
 
+/// Means over the frames of one body.
+PostureChange mean_posture(const RetargetedPair& pair, bool active) {
+  const BodyChange& change = active ? pair.bodies.active : pair.bodies.passive;
+  PostureChange sum{0, 0, 0};
+  const auto frames = static_cast<double>(pair.frames.size());
+  for (std::size_t f = 0; f < pair.frames.size(); ++f) {
+    const int first = active ? 0 : joint_count;
+    const PostureChange now = posture_change(pair.frames[f].pose.middleRows<joint_count>(first),
+                                             recorded_at(f).middleRows<joint_count>(first), change.legs());
+    sum.pelvis += now.pelvis / frames;
+    sum.knee_deg += std::abs(now.knee_deg) / frames;
+    sum.trunk_deg += std::abs(now.trunk_deg) / frames;
+  }
+  return sum;
+}
+
+TEST(PairRetargeting, EachBodyKeepsItsPostureWhateverTheSizeOfTheOther) {
+  for (const auto& [active, passive] : {std::pair{0.85, 0.85}, std::pair{1.0, 1.15}, std::pair{0.85, 1.0},
+                                        std::pair{0.85, 1.15}, std::pair{1.15, 0.85}})
+    for (const bool of_active : {true, false}) {
+      const PostureChange change = mean_posture(made(active, passive), of_active);
+      EXPECT_NEAR(change.pelvis, 1, 0.03) << active << ' ' << passive << ' ' << of_active;
+      EXPECT_LT(change.knee_deg, 5) << active << ' ' << passive << ' ' << of_active;
+      EXPECT_LT(change.trunk_deg, 3) << active << ' ' << passive << ' ' << of_active;
+    }
+}
+
+TEST(PairRetargeting, BodiesOfOneSizeHaveTheRecordedAngles) {
+  for (const double size : {0.85, 1.15})
+    for (const bool of_active : {true, false}) {
+      const PostureChange change = mean_posture(made(size, size), of_active);
+      EXPECT_NEAR(change.pelvis, 1, 0.005);
+      EXPECT_LT(change.knee_deg, 1);
+      EXPECT_LT(change.trunk_deg, 0.5);
+    }
+}
+
 TEST(PairRetargeting, FeetThatStandInTheRecordingStand) {
   const RetargetedPair& pair = made(1.15, 1.0);
   int stands = 0;
@@ -103,7 +142,7 @@ TEST(PairRetargeting, NoFootSinksIntoTheFloor) {
 
 TEST(PairRetargeting, AChildWithAGiantEndsInTheNearestPoseAndSaysSo) {
   const RetargetedPair& pair = made(3, 0.3);
-  int nearest = 0;
+  int nearest = 0, out_of_reach = 0;
   for (std::size_t f = 0; f < pair.frames.size(); ++f) {
     const RetargetedFrame& frame = pair.frames[f];
     ASSERT_TRUE(frame.pose.allFinite());
@@ -112,8 +151,17 @@ TEST(PairRetargeting, AChildWithAGiantEndsInTheNearestPoseAndSaysSo) {
     ++nearest;
     EXPECT_THAT(frame.shortfall(), HasSubstr("nearest pose"));
     EXPECT_THAT(frame_result_of(pair, f).status_text(), HasSubstr("relaxed: nearest pose"));
+    if (frame.hold_change_m <= RetargetedFrame::reachable_m) continue;
+    ++out_of_reach;
+    EXPECT_NEAR(std::abs(hands_apart(frame.pose, frame.changed_hold) -
+                         hands_apart(recorded_at(f), frame.changed_hold)),
+                frame.hold_change_m, 1e-12);
+    EXPECT_THAT(frame.shortfall(), HasSubstr(frame.changed_hold.passive == joints::left_hand
+                                                 ? "the passive body's left hand are out of reach by"
+                                                 : "the passive body's right hand are out of reach by"));
   }
   EXPECT_GT(nearest, 0);
+  EXPECT_GT(out_of_reach, 0);
 }
 
 TEST(PairRetargeting, ATraceFrameHasRecordingMeshAndStandingFeet) {

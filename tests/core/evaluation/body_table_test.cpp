@@ -46,6 +46,11 @@ TEST(BodyTable, BodiesAsRecordedHaveTheRecordingsFigures) {
     EXPECT_NEAR(same.speed_p99_ratio, 1, 1e-6);
     EXPECT_NEAR(same.acceleration_p99_ratio, 1, 1e-6);
     EXPECT_EQ(same.nearest_only, 0);
+    for (const PostureChange& posture : same.posture) {
+      EXPECT_NEAR(posture.pelvis, 1, 1e-9);
+      EXPECT_NEAR(posture.knee_deg, 0, 1e-9);
+      EXPECT_NEAR(posture.trunk_deg, 0, 1e-9);
+    }
   }
   EXPECT_EQ(table().takes, 1);
   EXPECT_EQ(table().frames, 90);
@@ -98,6 +103,8 @@ TEST(BodyTable, IsInTheReportAndOnThePage) {
   EXPECT_EQ(pairs[1].at("bodies"), "active 0.85");
   EXPECT_EQ(pairs[1].at("retargeted").at("contact_25cm").at("f1"),
             figures(1, BodyMethod::Retargeted).within_25cm.f1);
+  EXPECT_EQ(pairs[1].at("live").at("posture_passive").at("knee_change_deg"),
+            figures(1, BodyMethod::Live).posture[1].knee_deg);
   for (const std::string_view key : body_method_keys) EXPECT_TRUE(pairs[1].contains(key)) << key;
   EXPECT_THAT(report_html(evaluation), HasSubstr("recorded pairs on other bodies"));
   evaluation.bodies.reset();

@@ -89,6 +89,19 @@ TEST(PairFit, DoesNotDependOnTheFitBefore) {
   }
 }
 
+TEST(PairFit, BesideItsOwnResultItStaysThere) {
+  const Standing two(0.75, 0.6);
+  const std::vector<HandHold> holds{{true, false, 1, Vec3::Zero()}};
+  FitTask task = two.task();
+  task.holds = holds;
+  task.hold_weight = 50;
+  PairFit fit({all(0.01), all(0.01), all(0.01), all(0.01)});
+  const PairPose first = fit.fit(task).pose;
+  ASSERT_GT((first - two.rebuilt).cwiseAbs().maxCoeff(), 0.05);
+  task.smoothed = &first;
+  EXPECT_LT((fit.fit(task).pose - first).cwiseAbs().maxCoeff(), 1e-3);
+}
+
 /// The gradient of a fit's energy at its result, by the formulas of its headers.
 PairPose gradient(const PairFit& fit, const FitTask& task, const PairPose& at) {
   const FitWeights weights;
@@ -101,7 +114,8 @@ PairPose gradient(const PairFit& fit, const FitTask& task, const PairPose& at) {
   for (int vertex = 0; vertex < 2 * joint_count; ++vertex) anchor(vertex, weights.place);
   for (const int first : {0, joint_count})
     for (const int toe_base : {joints::left_toe_base, joints::right_toe_base})
-      for (const int foot : {toe_base - 1, toe_base, toe_base + 1}) anchor(first + foot, weights.free_foot);
+      for (const int foot : {toe_base - 1, toe_base, toe_base + 1}) anchor(first + foot, weights.foot);
+  add_posture(task.rebuilt, weights.posture, energy, linear);
   add_hold_springs(task.holds, task.hold_weight, energy, linear);
   return energy * at - linear;
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/statistics.hpp"
 #include "core/choreography/salsa.hpp"
+#include "core/metrics/posture.hpp"
 #include "core/motion/body/body_choice.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/edit/constraints.hpp"
@@ -188,7 +189,7 @@ TEST(ShownBodies, AHoldThatTheseBodiesCannotKeepIsSaidToBeTheNearestPose) {
     EXPECT_LT(shown.bone_error, 1e-3);
     if (bodies.shortfall().empty()) continue;
     ++nearest;
-    EXPECT_THAT(std::string(bodies.shortfall()), HasSubstr("nearest pose: these bodies"));
+    EXPECT_THAT(std::string(bodies.shortfall()), HasSubstr("nearest pose: the"));
   }
   EXPECT_GT(nearest, 0);
 }
@@ -268,6 +269,23 @@ TEST(ShownBodies, HandsThatHoldOneAnotherStayWhereTheyAreToOneAnother) {
         (shown.row(joint_count + joints::right_hand) - shown.row(joints::left_hand)).transpose();
     EXPECT_LT((offset - two.holds.front().offset).norm(), 0.01) << active << ' ' << passive;
     EXPECT_EQ(bodies.shortfall(), "");
+  }
+}
+
+TEST(ShownBodies, BothStandUprightWhateverTheSizes) {
+  const Holding two;
+  for (const auto& [active, passive] :
+       {std::pair{0.85, 1.0}, std::pair{1.15, 1.0}, std::pair{0.85, 1.15}, std::pair{1.15, 0.85}}) {
+    ShownBodies bodies;
+    const PairPose shown = two.shown(active, passive, bodies);
+    for (const int first : {0, joint_count}) {
+      const PostureChange change =
+          posture_change(shown.middleRows<joint_count>(first), two.pair.middleRows<joint_count>(first),
+                         first == 0 ? active : passive);
+      EXPECT_NEAR(change.pelvis, 1, 0.03) << active << ' ' << passive << ' ' << first;
+      EXPECT_NEAR(change.knee_deg, 0, 5) << active << ' ' << passive << ' ' << first;
+      EXPECT_NEAR(change.trunk_deg, 0, 3) << active << ' ' << passive << ' ' << first;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::split_mesh_test {
@@ -15,6 +16,16 @@ PairPose scaled_halves(const PairPose& pair, double active, double passive) {
   scaled.topRows<joint_count>() *= active;
   scaled.bottomRows<joint_count>() *= passive;
   return scaled;
+}
+
+/// q_as: the recorded vector of an arm; otherwise its height is half recorded, half rebuilt.
+Eigen::RowVector3d kept(int a, int s, const PairPose& recorded, const PairPose& rebuilt) {
+  using namespace joints;
+  const Eigen::RowVector3d was = recorded.row(a) - recorded.row(s), own = rebuilt.row(a) - rebuilt.row(s);
+  for (const int joint : {a % joint_count, s % joint_count})
+    for (const int of_arm : {left_elbow, left_wrist, left_hand, right_elbow, right_wrist, right_hand})
+      if (joint == of_arm) return was;
+  return {was.x(), 0.5 * (was.y() + own.y()), was.z()};
 }
 
 /// The energy of the header, summed edge by edge.
@@ -31,7 +42,7 @@ double energy_by_hand(const std::vector<MeshEdge>& edges, const PairPose& record
       const double d = was.norm();
       const bool between = (j < joint_count) != (l < joint_count);
       const double share = between ? std::exp(-std::pow(d / weights.mesh_width_m, 2)) : 0;
-      residual += (at.row(j) - at.row(l) - share * was - (1 - share) * own) / d;
+      residual += (at.row(j) - at.row(l) - share * kept(j, l, recorded, rebuilt) - (1 - share) * own) / d;
       total += 1 / d;
     }
     energy += 0.5 * (residual / total).squaredNorm();
@@ -39,7 +50,8 @@ double energy_by_hand(const std::vector<MeshEdge>& edges, const PairPose& record
   for (int a = 0; a < joint_count; ++a)
     for (int s = joint_count; s < pair_vertex_count; ++s) {
       const Eigen::RowVector3d was = recorded.row(a) - recorded.row(s);
-      energy += 0.5 * relation_weight(weights, was.norm()) * (at.row(a) - at.row(s) - was).squaredNorm();
+      energy += 0.5 * relation_weight(weights, was.norm()) *
+                (at.row(a) - at.row(s) - kept(a, s, recorded, rebuilt)).squaredNorm();
     }
   return energy;
 }
