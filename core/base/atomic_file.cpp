@@ -1,6 +1,7 @@
 #include "core/base/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -30,7 +31,38 @@ std::string unforeseeable_text() {
   return text;
 }
 
+/// Who may write in the folder may have put a link in its place meanwhile.
+bool is_one_file(const struct stat& status) {
+  return S_ISREG(status.st_mode) && status.st_nlink <= 1;
+}
+
+Error was_swapped(const fs::path& target) {
+  return {
+      "was not written: another program put something in the place of its partial file; choose a folder "
+      "that only you may write to",
+      target.string()};
+}
+
+bool write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
 }  // namespace
+
+Status check_replaceable(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return Done{};
+  // Whoever is root may write it all the same, and did not mean to.
+  if ((status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) != 0 && ::access(path.c_str(), W_OK) == 0)
+    return Done{};
+  return Error{"is write-protected; change its permissions, or choose another name", path.string()};
+}
 
 bool make_new_file(const fs::path& path) {
   // Who may read it is up to the umask, as with any file.
@@ -54,6 +86,12 @@ AtomicFile::~AtomicFile() {
 
 Status AtomicFile::commit() {
   std::error_code failure;
+  struct stat status {};
+  if (::lstat(partial_.c_str(), &status) == 0 && !is_one_file(status)) return was_swapped(target_);
+  if (const fs::file_status old = fs::symlink_status(target_, failure); fs::is_regular_file(old)) {
+    if (const Status replaceable = check_replaceable(target_); !replaceable) return replaceable;
+    fs::permissions(partial_, old.permissions(), failure);
+  }
   fs::rename(partial_, target_, failure);
   if (failure) return Error{"could not be written: " + failure.message(), target_.string()};
   committed_ = true;
@@ -61,15 +99,17 @@ Status AtomicFile::commit() {
 }
 
 Status AtomicFile::write(std::string_view content) const {
-  std::ofstream out(partial_, std::ios::binary);
-  if (!out)
+  const int descriptor = ::open(partial_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0)
     return Error{std::string("cannot be created: ") + std::strerror(errno) +
                      "; choose a folder that exists and can be written",
                  target_.string()};
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (!out) return Error{"could not be written whole; is the disk full?", target_.string()};
-  return Done{};
+  struct stat status {};
+  const bool is_ours = ::fstat(descriptor, &status) == 0 && is_one_file(status);
+  const bool is_whole = is_ours && ::ftruncate(descriptor, 0) == 0 && write_all(descriptor, content);
+  if (::close(descriptor) == 0 && is_whole) return Done{};
+  return is_ours ? Error{"could not be written whole; is the disk full?", target_.string()}
+                 : was_swapped(target_);
 }
 
 Status write_whole_file(const fs::path& target, std::string_view content) {

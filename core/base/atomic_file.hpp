@@ -31,7 +31,8 @@ class AtomicFile {
   /// Writes the content to the partial file.
   Status write(std::string_view content) const;
 
-  /// Renames the finished file to its target, replacing an existing file.
+  /// Renames the finished file to its target, replacing an existing file, whose permissions it gets. An Error
+  /// if that is write-protected, or if another program put a link in place of the partial file.
   Status commit();
 
  private:
@@ -39,6 +40,9 @@ class AtomicFile {
   std::filesystem::path partial_;
   bool committed_ = false;
 };
+
+/// An Error if a file is there that its owner does not want to be changed.
+Status check_replaceable(const std::filesystem::path& path);
 
 /// Writes `content` to `target`, completely or not at all.
 Status write_whole_file(const std::filesystem::path& target, std::string_view content);

@@ -7,7 +7,7 @@
 namespace abrazo {
 
 std::string Error::text() const {
-  return (where.empty() ? std::string() : printable_line(where) + ": ") + printable(message);
+  return (where.empty() ? std::string() : printable_line(where) + ": ") + printable_line(message);
 }
 
 std::string Error::text(HintWords words) const {

@@ -1,18 +1,13 @@
 #include "core/base/file_series.hpp"
 
 #include <filesystem>
-#include <fstream>
 
 namespace abrazo {
 
 namespace fs = std::filesystem;
 
 Status FileSeries::add(const std::string& path, const std::string& content) {
-  AtomicFile& file = files_.emplace_back(path);
-  std::ofstream out(file.partial(), std::ios::binary);
-  out << content;
-  out.close();
-  if (!out) return Error{"could not be written whole; is the folder writable, the disk full?", path};
+  if (const Status written = files_.emplace_back(path).write(content); !written) return written;
   paths_.push_back(path);
   return Done{};
 }

@@ -19,6 +19,9 @@ inline constexpr std::size_t json_depth = 100, json_values = 6'000'000;
 /// Settings as JSON [bytes]: all of them have some 4 000.
 inline constexpr std::size_t settings_bytes = 1U << 20U;
 
+/// A row of a session file [bytes]: a project's longest text has a few MB.
+inline constexpr int session_row_bytes = 16 << 20;
+
 /// Numbers of one NumPy file, all arrays that are read together: 512 MiB as doubles, two hours of 25 joints
 /// at 120 Hz.
 inline constexpr std::uint64_t numpy_numbers = std::uint64_t{1} << 26U;

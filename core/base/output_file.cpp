@@ -21,7 +21,7 @@ Status check_output(const std::string& path, const std::vector<std::string>& inp
   for (const std::string& input : inputs)
     if (!input.empty() && fs::equivalent(path, input, ignored))
       return Error{"is also read; the output needs another name", path};
-  return Done{};
+  return check_replaceable(path);
 }
 
 std::string with_suffix(const std::string& path, const std::string& suffix) {

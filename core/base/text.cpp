@@ -56,23 +56,6 @@ std::vector<std::string_view> split_lines(std::string_view text) {
   return lines;
 }
 
-std::size_t nesting_depth(std::string_view json) {
-  std::size_t depth = 0, greatest = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (c == '"') in_string = !in_string;
-    if (in_string) {
-      if (c == '\\') ++i;
-    } else if (c == '[' || c == '{') {
-      greatest = std::max(greatest, ++depth);
-    } else if ((c == ']' || c == '}') && depth > 0) {
-      --depth;
-    }
-  }
-  return greatest;
-}
-
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t longest = 40;
   const bool is_text =

@@ -33,10 +33,6 @@ std::vector<std::string_view> split_fields(std::string_view line, char separator
 /// The lines of a text whose ends are LF, CRLF or CR; the last may lack one.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// Nesting depth of the brackets and braces of a JSON text, without those in strings. Recursive readers need
-/// a bound on it.
-std::size_t nesting_depth(std::string_view json);
-
 /// The word between quotes for a message: unprintable characters become '?', a long word is cut.
 std::string in_quotes(std::string_view word);
 

@@ -2,15 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <cstring>
-#include <deque>
-#include <fstream>
 #include <span>
 #include <string_view>
 
-#include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
+#include "core/base/output_file.hpp"
 #include "core/library/takes/performer_letter.hpp"
 #include "core/motion/bvh/bvh.hpp"
 
@@ -18,33 +14,6 @@ namespace abrazo {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Files that are written beside their names and get these together.
-class FileSet {
- public:
-  explicit FileSet(fs::path folder) : folder_(std::move(folder)) {}
-
-  Status add(const std::string& name, std::string_view content) {
-    const AtomicFile& file = files_.emplace_back(folder_ / name);
-    std::ofstream out(file.partial(), std::ios::binary);
-    if (!out)
-      return Error{std::string("cannot be created: ") + std::strerror(errno), (folder_ / name).string()};
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    if (!out) return Error{"could not be written whole; is the disk full?", (folder_ / name).string()};
-    return Done{};
-  }
-
-  Status commit() {
-    for (AtomicFile& file : files_)
-      if (Status done = file.commit(); !done) return done;
-    return Done{};
-  }
-
- private:
-  fs::path folder_;
-  std::deque<AtomicFile> files_;
-};
 
 std::string motion_name(const PairedTake& take, char performer) {
   return fmt::format("{}_{}.bvh", take.name, performer);
@@ -111,11 +80,12 @@ Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const st
   return json.end_array().end_object().take() + "\n";
 }
 
-Status add_motions(const PairedTake& take, FileSet& files) {
+Status add_motions(const PairedTake& take, const fs::path& folder, WholeFiles& files) {
   for (const char performer : {'a', 'b'}) {
     const Result<std::string> bvh = write_bvh(std::span(performer == 'a' ? &take.a : &take.b, 1));
     if (!bvh) return bvh.error();
-    if (Status added = files.add(motion_name(take, performer), *bvh); !added) return added;
+    if (Status added = files.add((folder / motion_name(take, performer)).string(), *bvh); !added)
+      return added;
   }
   return Done{};
 }
@@ -130,17 +100,18 @@ Result<fs::path> write_demo_set(const std::vector<PairedTake>& takes, const std:
     return Error{"the folder cannot be made (" + (failure ? failure.message() : "a file has its name") +
                      "); choose another",
                  folder.string()};
-  FileSet files(folder);
+  WholeFiles files;
   for (std::size_t t = 0; t < takes.size(); ++t) {
     if (!report(progress, static_cast<double>(t) / static_cast<double>(takes.size()),
                 "writing " + takes[t].name))
       return Error{"cancelled", folder.string()};
-    if (Status added = add_motions(takes[t], files); !added) return added.error();
+    if (Status added = add_motions(takes[t], folder, files); !added) return added.error();
   }
   const Result<std::string> manifest = manifest_json(takes, name);
   if (!manifest) return manifest.error();
-  if (Status added = files.add("labels.csv", labels_csv(takes)); !added) return added.error();
-  if (Status added = files.add("manifest.json", *manifest); !added) return added.error();
+  if (Status added = files.add((folder / "labels.csv").string(), labels_csv(takes)); !added)
+    return added.error();
+  if (Status added = files.add((folder / "manifest.json").string(), *manifest); !added) return added.error();
   if (Status committed = files.commit(); !committed) return committed.error();
   report(progress, 1, "done");
   return folder / "manifest.json";

@@ -217,6 +217,7 @@ void ProjectDesk::write(const QString& target) {
   what.saved = m_saved;
   what.file = file().toStdString();
   what.to = target.toStdString();
+  what.saved_at = m_savedAt;
   what.takes = m_takes.edits();
   what.recorder = m_window.session()->engine().recorder();
   const FrameHistory& history = m_window.session()->engine().history();
@@ -260,6 +261,7 @@ void ProjectDesk::write(const QString& target) {
     if (done->has_history) m_framesSavedTo_s = until_s;
     m_saved = what.project;
     m_saved.data = done->project.data;
+    m_savedAt = done->saved_at;
     m_window.document().noteSaved(m_saved.annotations);
     m_isAhead = false;
     m_window.undoStack().setClean();
@@ -331,6 +333,8 @@ void ProjectDesk::onOpened() {
   if (project && project->reading.is_saved) takeSaved(*project);
   if (!m_isAhead) m_saved = project_of(m_window);
   if (project) m_saved.data = project->project().data;
+  m_savedAt.reset();
+  if (project && project->autosave.empty()) m_savedAt = project->reading.saved_at;
   m_window.undoStack().setClean();
   m_isModified = m_isAhead;
   showTitle();

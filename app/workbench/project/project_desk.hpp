@@ -85,6 +85,7 @@ class ProjectDesk : public QObject {
   TakeDesk& m_takes;
   Autosave m_autosave;
   Project m_saved;
+  std::optional<std::string> m_savedAt;  ///< by this window, or before it opened the file; none: unknown
   std::vector<DataReference> m_carried;  ///< references to missing files, kept until they exist again
   bool m_asks = false, m_isModified = false, m_hasSession = false;
   bool m_isAhead = false;  ///< of its file from the start: restored, or opened with files at other places

@@ -64,7 +64,6 @@ bool read_nodes(const Json& json, std::vector<RigNode>& nodes, std::vector<int>&
     RigNode& node = nodes[static_cast<std::size_t>(order[i])];
     node.world =
         node.parent < 0 ? node.local : nodes[static_cast<std::size_t>(node.parent)].world * node.local;
-    if (!node.world.matrix().allFinite()) return false;
     const Json& of_node = json[static_cast<std::size_t>(order[i])];
     if (of_node.contains("children"))
       for (const Json& child : of_node["children"]) order.push_back(child.get<int>());
@@ -82,6 +81,20 @@ void add_bone(const Json& node, const std::string& name, std::size_t nodes, Bone
 const Json& in(const Json& of, const char* key) {
   static const Json none = Json::object();
   return of.is_object() && of.contains(key) ? of[key] : none;
+}
+
+/// So that what is computed from it, and written as floats, stays finite.
+bool is_within_reach(const Eigen::Affine3d& world) {
+  constexpr double farthest = 1e9;
+  const Eigen::Matrix3d back = world.linear().inverse();
+  return world.matrix().allFinite() && back.allFinite() && world.matrix().cwiseAbs().maxCoeff() <= farthest &&
+         back.cwiseAbs().maxCoeff() <= farthest;
+}
+
+std::string name_of_node(const Json& node, std::size_t number) {
+  const auto name = node.find("name");
+  return name != node.end() && name->is_string() ? in_quotes(name->get<std::string>())
+                                                 : std::to_string(number);
 }
 
 /// By VRM's own list, else by names.
@@ -128,6 +141,11 @@ double HumanoidRig::leg_length() const {
 Result<HumanoidRig> read_humanoid_rig(const GlbFile& glb, const std::string& where) {
   HumanoidRig rig;
   if (!read_nodes(glb.json["nodes"], rig.nodes, rig.order)) return Error{"its nodes are damaged", where};
+  for (std::size_t n = 0; n < rig.nodes.size(); ++n)
+    if (!is_within_reach(rig.nodes[n].world))
+      return Error{"its node " + name_of_node(glb.json["nodes"][n], n) +
+                       " is farther away, or scaled by more, than a figure's can be; export it again",
+                   where};
   rig.bones = bone_nodes(glb.json);
   std::string missing;
   for (const HumanoidBone& bone : humanoid_bones)

@@ -10,6 +10,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/base/limits.hpp"
 #include "core/motion/scenes/fbx_records.hpp"
 #include "core/motion/scenes/gltf_json.hpp"
 #include "core/motion/scenes/xml_tags.hpp"
@@ -120,8 +121,10 @@ Status check_accessors(const Json& root, const std::string& file) {
 }
 
 Result<SceneHierarchy> hierarchy_of_gltf(std::string_view bytes, const std::string& file) {
+  const std::string_view json = gltf_json(bytes);
+  if (const char* beyond = json_beyond_bounds(json)) return Error{beyond, file};
   DoubledKeys doubled;
-  const Json root = Json::parse(gltf_json(bytes), std::ref(doubled), false);
+  const Json root = Json::parse(json, std::ref(doubled), false);
   if (!root.is_object())
     return Error{"cannot be read as glTF: its JSON is damaged or cut short; export it again", file};
   if (doubled.any())

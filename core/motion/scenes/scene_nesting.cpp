@@ -5,19 +5,11 @@
 #include <vector>
 
 #include "core/base/little_endian.hpp"
-#include "core/base/text.hpp"
 #include "core/motion/scenes/xml_tags.hpp"
 
 namespace abrazo {
 
 namespace {
-
-/// glTF is JSON; the JSON of a .glb is its first chunk: length at byte 12, content from byte 20 on.
-std::size_t nesting_of_gltf(std::string_view bytes) {
-  if (!bytes.starts_with("glTF")) return nesting_depth(bytes);
-  if (bytes.size() < 20) return 0;
-  return nesting_depth(bytes.substr(20, little_endian(bytes, 12, 4)));
-}
 
 /// Strings have no escapes, comments go from ';' to the end of the line.
 std::size_t nesting_of_fbx_text(std::string_view text) {
@@ -93,7 +85,7 @@ std::size_t scene_nesting(std::string_view bytes, MotionFormat format) {
   if (format == MotionFormat::Fbx)
     return bytes.starts_with("Kaydara FBX Binary") ? nesting_of_fbx_binary(bytes)
                                                    : nesting_of_fbx_text(bytes);
-  return nesting_of_gltf(bytes);
+  return 0;
 }
 
 }  // namespace abrazo

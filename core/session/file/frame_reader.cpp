@@ -12,8 +12,8 @@ constexpr std::size_t kept_settings = 256;
 }  // namespace
 
 struct FrameReader::Statements {
-  SessionStatement rows, settings, decisions, last_until, first_from, next, last, state_before, time_of,
-      times;
+  SessionStatement rows, settings_from, settings, decisions_from, decisions, last_until, first_from, next,
+      last, state_before, time_of, times;
 };
 
 FrameReader::FrameReader(Statements statements)
@@ -23,12 +23,14 @@ FrameReader::~FrameReader() = default;
 Result<std::unique_ptr<FrameReader>> FrameReader::open(SessionDatabase& database) {
   auto rows = database.prepare("SELECT " + frame_columns() +
                                ", checksum FROM frames WHERE frame BETWEEN ? AND ? ORDER BY frame");
-  auto settings = database.prepare(
-      "SELECT frame, json, "
+  auto settings_from = database.prepare(
+      "SELECT frame, "
       "(SELECT is_learning FROM learning WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1) "
       "FROM settings WHERE frame <= ?1 ORDER BY frame DESC LIMIT 1");
-  auto decisions =
-      database.prepare("SELECT frame, json FROM decisions WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
+  auto settings = database.prepare("SELECT json FROM settings WHERE frame = ?");
+  auto decisions_from =
+      database.prepare("SELECT frame FROM decisions WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
+  auto decisions = database.prepare("SELECT json FROM decisions WHERE frame = ?");
   auto last_until = database.prepare(
       "SELECT frame FROM frames INDEXED BY frames_by_time WHERE time_s <= ? AND frame >= ? "
       "ORDER BY time_s DESC, frame DESC LIMIT 1");
@@ -46,13 +48,13 @@ Result<std::unique_ptr<FrameReader>> FrameReader::open(SessionDatabase& database
   auto times = database.prepare(
       "SELECT time_s FROM frames INDEXED BY frames_by_time WHERE time_s BETWEEN ? AND ? AND frame >= ? "
       "ORDER BY time_s");
-  for (const auto* statement : {&rows, &settings, &decisions, &last_until, &first_from, &next, &last,
-                                &state_before, &time_of, &times})
+  for (const auto* statement : {&rows, &settings_from, &settings, &decisions_from, &decisions, &last_until,
+                                &first_from, &next, &last, &state_before, &time_of, &times})
     if (!*statement) return statement->error();
-  return std::unique_ptr<FrameReader>(new FrameReader(
-      Statements{std::move(*rows), std::move(*settings), std::move(*decisions), std::move(*last_until),
-                 std::move(*first_from), std::move(*next), std::move(*last), std::move(*state_before),
-                 std::move(*time_of), std::move(*times)}));
+  return std::unique_ptr<FrameReader>(new FrameReader(Statements{
+      std::move(*rows), std::move(*settings_from), std::move(*settings), std::move(*decisions_from),
+      std::move(*decisions), std::move(*last_until), std::move(*first_from), std::move(*next),
+      std::move(*last), std::move(*state_before), std::move(*time_of), std::move(*times)}));
 }
 
 Result<FrameReader::Read> FrameReader::decode(const SessionStatement& row) {
@@ -65,43 +67,57 @@ Result<FrameReader::Read> FrameReader::decode(const SessionStatement& row) {
   return Read{std::move(*frame), columns->library};
 }
 
+/// The text of a frame that has one.
+Result<std::string> FrameReader::text_of(SessionStatement& statement, std::int64_t frame) {
+  const auto found = statement.bind(0, frame).step();
+  if (!found) return found.error();
+  std::string text = *found ? statement.text(0) : std::string();
+  statement.reset();
+  return text;
+}
+
 Status FrameReader::add_settings(FrameSnapshot& frame) {
-  SessionStatement& row = statements_->settings;
+  SessionStatement& row = statements_->settings_from;
   const auto found = row.bind(0, frame.index).step();
   if (!found) return found.error();
   if (!*found) return Error{"there are no settings of frame " + std::to_string(frame.index), {}};
   const std::int64_t from = row.integer(0);
-  frame.is_learning = row.integer(2) != 0;
+  frame.is_learning = row.integer(1) != 0;
+  row.reset();
   auto known = settings_.find(from);
   if (known == settings_.end()) {
-    const auto parsed = parse_settings(row.text(1), Settings{}, "settings of frame " + std::to_string(from));
-    row.reset();
-    if (!parsed) return parsed.error();
     if (settings_.size() >= kept_settings) settings_.clear();
-    known = settings_.emplace(from, *parsed).first;
+    const auto json = text_of(statements_->settings, from);
+    known = settings_
+                .emplace(from,
+                         json ? parse_settings(*json, Settings{}, "settings of frame " + std::to_string(from))
+                              : Result<Settings>(json.error()))
+                .first;
   }
-  row.reset();
-  frame.settings = known->second;
+  if (!known->second) return known->second.error();
+  frame.settings = *known->second;
   return Done{};
 }
 
 Status FrameReader::add_decisions(FrameSnapshot& frame) {
-  SessionStatement& row = statements_->decisions;
-  const auto found = row.bind(0, frame.index).step();
-  if (!found) return found.error();
-  if (!*found) return Done{};
-  const std::int64_t from = row.integer(0);
-  auto known = decisions_.find(from);
+  const auto from = first_column(statements_->decisions_from.bind(0, frame.index));
+  if (!from) return from.error();
+  if (!*from) return Done{};
+  auto known = decisions_.find(**from);
   if (known == decisions_.end()) {
-    const auto parsed = parse_decisions(row.text(1), "decisions of frame " + std::to_string(from));
-    row.reset();
-    if (!parsed) return parsed.error();
     if (decisions_.size() >= kept_settings) decisions_.clear();
-    const bool none = *parsed == Decisions{};
-    known = decisions_.emplace(from, none ? nullptr : std::make_shared<const Decisions>(*parsed)).first;
+    const auto json = text_of(statements_->decisions, **from);
+    const auto parsed = json ? parse_decisions(*json, "decisions of frame " + std::to_string(**from))
+                             : Result<Decisions>(json.error());
+    known = decisions_
+                .emplace(**from,
+                         parsed ? Result(*parsed == Decisions{} ? nullptr
+                                                                : std::make_shared<const Decisions>(*parsed))
+                                : Result<std::shared_ptr<const Decisions>>(parsed.error()))
+                .first;
   }
-  row.reset();
-  frame.decisions = known->second;
+  if (!known->second) return known->second.error();
+  frame.decisions = *known->second;
   return Done{};
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/session/file/session_database.hpp"
@@ -43,13 +44,14 @@ class FrameReader {
   explicit FrameReader(Statements statements);
   Result<Read> decode(const SessionStatement& row);
   Result<std::optional<std::int64_t>> first_column(SessionStatement& statement);
+  static Result<std::string> text_of(SessionStatement& statement, std::int64_t frame);
   Status add_settings(FrameSnapshot& frame);
   Status add_decisions(FrameSnapshot& frame);
 
   std::unique_ptr<Statements> statements_;
-  /// Cache of those read last, by the first frame they apply to.
-  std::map<std::int64_t, Settings> settings_;
-  std::map<std::int64_t, std::shared_ptr<const Decisions>> decisions_;
+  /// Cache of those read last, by the first frame they apply to; also of those that cannot be read.
+  std::map<std::int64_t, Result<Settings>> settings_;
+  std::map<std::int64_t, Result<std::shared_ptr<const Decisions>>> decisions_;
 
  public:
   ~FrameReader();

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/limits.hpp"
 
 namespace abrazo {
 
@@ -27,6 +28,7 @@ DatabaseFault fault_of(int code) {
     case SQLITE_LOCKED:
       return DatabaseFault::Busy;
     case SQLITE_CORRUPT:
+    case SQLITE_TOOBIG:  // of a value that is read
       return DatabaseFault::Damaged;
     case SQLITE_NOTADB:
       return DatabaseFault::NotADatabase;
@@ -111,6 +113,7 @@ struct SessionStatement::Handle {
   std::string path;
   sqlite3* database = nullptr;
   sqlite3_stmt* statement = nullptr;
+  bool is_too_long = false;  ///< a value that was bound
   ~Handle() { sqlite3_finalize(statement); }
 };
 
@@ -132,8 +135,9 @@ SessionStatement& SessionStatement::bind(int parameter, std::int64_t value) {
 }
 
 SessionStatement& SessionStatement::bind(int parameter, std::string_view text) {
-  sqlite3_bind_text64(handle_->statement, parameter + 1, text.data() ? text.data() : "", text.size(),
-                      SQLITE_TRANSIENT, SQLITE_UTF8);
+  handle_->is_too_long |=
+      sqlite3_bind_text64(handle_->statement, parameter + 1, text.data() ? text.data() : "", text.size(),
+                          SQLITE_TRANSIENT, SQLITE_UTF8) == SQLITE_TOOBIG;
   return *this;
 }
 
@@ -151,10 +155,16 @@ SessionStatement& SessionStatement::bind_null(int parameter) {
 }
 
 Result<bool> SessionStatement::step() {
-  const int code = sqlite3_step(handle_->statement);
+  const bool is_too_long = std::exchange(handle_->is_too_long, false);
+  const int code = is_too_long ? SQLITE_TOOBIG : sqlite3_step(handle_->statement);
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
   const int extended = sqlite3_extended_errcode(handle_->database);
+  if (code == SQLITE_TOOBIG && sqlite3_stmt_readonly(handle_->statement) == 0) {
+    sqlite3_reset(handle_->statement);
+    return Error{"a text is longer than the 16 MB that a row of a session file may have; shorten it",
+                 handle_->path};
+  }
   fault_ = fault_of(code);
   Error error = error_of(extended, sqlite3_errmsg(handle_->database), handle_->path);
   sqlite3_reset(handle_->statement);
@@ -227,8 +237,6 @@ std::string frozen_uri(const std::string& path) {
 namespace {
 
 constexpr int usual_patience_ms = 2000;
-/// A value may be so large: pictures of states are some kB, a project's longest text a few MB.
-constexpr int largest_value_bytes = 256 << 20;
 
 /// SQLite would wait for whoever writes into a pipe. The file itself and the three that SQLite keeps beside
 /// one.
@@ -300,7 +308,7 @@ void defend(sqlite3* database, bool is_salvage) {
   set(SQLITE_DBCONFIG_ENABLE_FTS3_TOKENIZER, 0);
   set(SQLITE_DBCONFIG_DQS_DDL, 0);
   set(SQLITE_DBCONFIG_DQS_DML, 0);
-  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, largest_value_bytes);
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, limits::session_row_bytes);
   sqlite3_limit(database, SQLITE_LIMIT_SQL_LENGTH, 1 << 20);
   sqlite3_limit(database, SQLITE_LIMIT_EXPR_DEPTH, 100);
   sqlite3_limit(database, SQLITE_LIMIT_COMPOUND_SELECT, 10);

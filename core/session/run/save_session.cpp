@@ -61,16 +61,26 @@ Result<std::uint64_t> save_in_place(const SessionToSave& what, const Project& pr
   return left_out;
 }
 
+std::string saved_at(const std::string& file) {
+  const auto reading = read_project(file);
+  return reading ? reading->saved_at : std::string();
+}
+
 Result<SavedSession> save_to(const SessionToSave& what, Project project, const Progress& progress) {
   const bool is_own = what.to == what.file;
+  if (const std::string last = saved_at(what.to);
+      is_own && what.saved_at && !last.empty() && last != *what.saved_at)
+    return Error{"was saved by another window at " + last +
+                     ", after it was opened or saved here; save it under another name, or open it again",
+                 what.to};
   if (is_own && what.recorder) {
     what.recorder->save_project(std::make_shared<const Project>(project));
     if (const Status flushed = what.recorder->flush(); !flushed) return flushed.error();
-    return SavedSession{std::move(project), false, 0};
+    return SavedSession{std::move(project), saved_at(what.to), false, 0};
   }
   const auto left_out = is_own ? save_in_place(what, project, progress) : save_copy(what, project, progress);
   if (!left_out) return left_out.error();
-  return SavedSession{std::move(project), what.history.has_value(), *left_out};
+  return SavedSession{std::move(project), saved_at(what.to), what.history.has_value(), *left_out};
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // The module that decodes and encodes videos with OpenCV's FFmpeg backend; see VideoCodec.
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "core/base/limits.hpp"
 #include "core/video/video_codec.hpp"
 
 namespace abrazo {
@@ -184,7 +187,14 @@ class OpenCvSink final : public PictureSink {
 
 class OpenCvCodec final : public VideoCodec {
  public:
-  OpenCvCodec() { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); }
+  OpenCvCodec() {
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    // A picture within a file may be larger than those before, which is known once it is decoded. So FFmpeg
+    // reserves no more at once than the largest picture takes as it is handed on, and some padding.
+    constexpr std::size_t most_bytes = 3 * static_cast<std::size_t>(limits::video_pixels) + (1U << 20U);
+    if (void* most = ::dlsym(RTLD_DEFAULT, "av_max_alloc"))
+      reinterpret_cast<void (*)(std::size_t)>(most)(most_bytes);
+  }
   std::unique_ptr<PictureStream> stream() const override { return std::make_unique<OpenCvStream>(); }
   std::unique_ptr<PictureSink> sink() const override { return std::make_unique<OpenCvSink>(); }
   int pictures_in(const std::filesystem::path& file) const override {

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "core/base/file_series.hpp"
+#include "core/base/output_file.hpp"
 
 namespace abrazo::atomic_file_test {
 namespace {
@@ -79,6 +80,42 @@ TEST_F(AtomicFileTest, WritesBytesAsTheyAre) {
   EXPECT_EQ(read_whole_file(folder_ / "bytes").value(), bytes);
 }
 
+TEST_F(AtomicFileTest, AFileThatIsWriteProtectedIsNotReplaced) {
+  const fs::path kept = folder_ / "kept.csv";
+  ASSERT_TRUE(write_whole_file(kept, "old"));
+  fs::permissions(kept, fs::perms::owner_read);
+  for (const Status& refused : {write_whole_file(kept, "new"), check_output(kept.string(), {})}) {
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), testing::HasSubstr("kept.csv: is write-protected"));
+  }
+  EXPECT_EQ(read_whole_file(kept).value(), "old");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFileTest, WhatReplacesAPrivateFileIsPrivate) {
+  ASSERT_TRUE(write_whole_file(folder_ / "own.csv", "old"));
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(folder_ / "own.csv", own);
+  ASSERT_TRUE(write_whole_file(folder_ / "own.csv", "new"));
+  EXPECT_EQ(fs::status(folder_ / "own.csv").permissions(), own);
+}
+
+TEST_F(AtomicFileTest, ALinkThatIsPutInPlaceOfThePartialFileIsNotWrittenThrough) {
+  const fs::path victim = folder_ / "victim";
+  ASSERT_TRUE(write_whole_file(victim, "three years"));
+  for (const bool is_hard : {false, true}) {
+    AtomicFile file(folder_ / "out.csv");
+    fs::remove(file.partial());
+    is_hard ? fs::create_hard_link(victim, file.partial()) : fs::create_symlink(victim, file.partial());
+    EXPECT_FALSE(file.write("new")) << is_hard;
+    const Status named = file.commit();
+    ASSERT_FALSE(named) << is_hard;
+    EXPECT_THAT(named.error().text(), testing::HasSubstr("out.csv: was not written: another program"));
+    EXPECT_EQ(read_whole_file(victim).value(), "three years") << is_hard;
+  }
+  EXPECT_EQ(files(), 1u) << "the link is taken away, and out.csv never came to be";
+}
+
 TEST_F(AtomicFileTest, ASeriesWithAFolderInItsWayReplacesNothing) {
   ASSERT_TRUE(write_whole_file(folder_ / "0.csv", "old"));
   fs::create_directory(folder_ / "1.csv");
@@ -126,9 +163,12 @@ TEST_F(AtomicFileTest, APipeADeviceOrAGiantIsRefusedBeforeAnythingIsRead) {
   for (const fs::path& path : {folder_ / "pipe", fs::path("/dev/zero")})
     EXPECT_THAT(read_whole_file(path).error().message, testing::HasSubstr("is a device or a pipe")) << path;
   ASSERT_TRUE(write_whole_file(folder_ / "giant.bvh", "HIERARCHY"));
-  fs::resize_file(folder_ / "giant.bvh", std::uintmax_t{1} << 40);  // sparse: it takes no room
+  fs::resize_file(folder_ / "giant.bvh", limits::whole_file_bytes + 1);  // sparse: it takes no room
   EXPECT_THAT(read_whole_file(folder_ / "giant.bvh").error().text(),
-              testing::AllOf(testing::HasSubstr("giant.bvh"), testing::HasSubstr("1048576 MB large")));
+              testing::AllOf(testing::HasSubstr("giant.bvh"), testing::HasSubstr("are read up to 4096 MB")));
+  ASSERT_TRUE(write_whole_file(folder_ / "small.bvh", "HIERARCHY"));
+  EXPECT_TRUE(read_whole_file(folder_ / "small.bvh", 9)) << "as large as is read";
+  EXPECT_THAT(read_whole_file(folder_ / "small.bvh", 8).error().text(), testing::HasSubstr("Split it"));
 }
 
 }  // namespace

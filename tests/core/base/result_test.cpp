@@ -51,7 +51,7 @@ TEST(Error, ShowsNothingThatSteersATerminal) {
   const Error error{"two joints are named '\x1b[2Jhip\x07\x7f', expected:\n\tone", "\rÜbung.bvh:3"};
   EXPECT_EQ(error.text(),
             "?Übung.bvh:3: two joints are named '?[2Jhip?"
-            "?', expected:\n\tone");
+            "?', expected:??one");
 }
 
 }  // namespace

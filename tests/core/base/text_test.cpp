@@ -77,15 +77,6 @@ TEST(Text, IgnoresTheLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(Text, CountsHowDeepJsonGoesOutsideOfStrings) {
-  EXPECT_EQ(nesting_depth(""), 0u);
-  EXPECT_EQ(nesting_depth("1"), 0u);
-  EXPECT_EQ(nesting_depth(R"({"a": [1, [2]], "b": {}})"), 3u);
-  EXPECT_EQ(nesting_depth(R"(["[[[[", "\"[[[[", "\\", []])"), 2u);
-  EXPECT_EQ(nesting_depth("]]][["), 2u) << "brackets that were never open close nothing";
-  EXPECT_EQ(nesting_depth(std::string(100'000, '[')), 100'000u);
-}
-
 TEST(Text, AWordInAMessageIsPrintableAndNotLong) {
   EXPECT_EQ(in_quotes("Hips"), "'Hips'");
   EXPECT_EQ(in_quotes("H\xc3\xbc"

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/base/limits.hpp"
 #include "core/motion/files/import_clip.hpp"
 #include "core/motion/scenes/assimp_scene.hpp"
 #include "core/motion/scenes/glb_writer.hpp"
@@ -76,8 +77,21 @@ TEST(ReadScene, RefusesBracketsSoDeepThatReadingThemWouldTakeTheWholeStack) {
   for (const auto& [bytes, format] : files) {
     const auto motions = read_scene(bytes, format, "deep");
     ASSERT_FALSE(motions);
-    EXPECT_THAT(motions.error().text(), HasSubstr("has elements more than 1000 deep")) << bytes.substr(0, 20);
+    EXPECT_THAT(motions.error().text(),
+                HasSubstr(format == MotionFormat::Gltf ? "has brackets more than 100 deep"
+                                                       : "has elements more than 1000 deep"))
+        << bytes.substr(0, 20);
   }
+}
+
+TEST(ReadScene, RefusesJsonOfMoreValuesThanASceneHas) {
+  const auto refusal = [](std::size_t values) {
+    return read_scene("{\"extras\":[" + std::string(values, ',') + "]}", MotionFormat::Gltf, "many.gltf")
+        .error()
+        .text();
+  };
+  EXPECT_THAT(refusal(limits::json_values - 2), HasSubstr("its JSON is damaged")) << "nothing but commas";
+  EXPECT_THAT(refusal(limits::json_values - 1), HasSubstr("many.gltf: has more than 6 million values"));
 }
 
 TEST(ReadScene, SaysWhatIsWrongWithABrokenFile) {

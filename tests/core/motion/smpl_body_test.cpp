@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/base/limits.hpp"
 #include "core/motion/numpy/numpy_file.hpp"
 #include "core/motion/numpy/numpy_reader.hpp"
 #include "core/motion/numpy/smpl_body.hpp"
@@ -133,11 +134,15 @@ TEST(SmplBody, OfMoreThanAnyBodyModelHasIsRefusedBeforeAnythingIsComputed) {
   };
   EXPECT_THAT(refusal(motion, with(chain_model(), "J_regressor", zeros({56, 24}))),
               HasSubstr("J_regressor: has the shape (56, 24); body models of up to 55 joints are read"));
-  EXPECT_THAT(refusal(motion, with(chain_model(), "J_regressor", zeros({24, 20'001}))),
+  EXPECT_THAT(refusal(motion, with(chain_model(), "J_regressor", zeros({24, limits::body_vertices + 1}))),
               HasSubstr("up to 20000 vertices"));
-  EXPECT_THAT(refusal(motion, with(chain_model(), "shapedirs", zeros({24, 3, 1'001}))),
+  EXPECT_THAT(refusal(motion, with(chain_model(), "J_regressor", zeros({24, limits::body_vertices}))),
+              HasSubstr("v_template: has the shape (24, 3)"))
+      << "which has fewer";
+  EXPECT_THAT(refusal(motion, with(chain_model(), "shapedirs", zeros({24, 3, limits::body_shapes + 1}))),
               HasSubstr("up to 1000 shapes"));
-  EXPECT_EQ(refusal(motion, with(chain_model(), "shapedirs", zeros({24, 3, 1'000}))), "was read");
+  EXPECT_EQ(refusal(motion, with(chain_model(), "shapedirs", zeros({24, 3, limits::body_shapes}))),
+            "was read");
 }
 
 TEST(SmplBody, AnglesOfAnotherNumberOfJointsAreRefused) {

@@ -179,6 +179,20 @@ TEST_F(WornCharacters, WhatCannotBeShownIsRefusedByName) {
               HasSubstr("skin is damaged"));
 }
 
+TEST_F(WornCharacters, NodesBeyondAllMeasureAreRefusedByName) {
+  const auto with = [&](const char* key, double number) {
+    return trouble([&](Json& json) {
+      json["nodes"][0]["name"] = "far";
+      json["nodes"][0][key] = {number, number, number};
+    });
+  };
+  for (const double number : {1.1e9, 1e100, 1e308}) {
+    EXPECT_THAT(with("translation", number), HasSubstr("figure.glb: its node 'far' is farther away"));
+    EXPECT_THAT(with("scale", number), HasSubstr("its node 'far' is farther away, or scaled by more"));
+  }
+  EXPECT_EQ(with("translation", 1e8), "");
+}
+
 TEST_F(WornCharacters, NodesThatShowOneMeshAgainAndAgainAreRefusedBeforeTheyTakeTheDay) {
   const auto shown = [&](std::size_t primitives) {
     return trouble([&](Json& json) {

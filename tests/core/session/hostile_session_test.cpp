@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/limits.hpp"
 #include "core/session/file/project.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_edit.hpp"
@@ -196,6 +197,31 @@ TEST_F(HostileSession, ALinkWhereACopyIsWrittenIsReplacedAndNotFollowed) {
   EXPECT_TRUE(copy_session(path_, copy));
   EXPECT_TRUE(SessionFile::open(copy));
   EXPECT_EQ(*read_whole_file(victim), "three years");
+}
+
+TEST_F(HostileSession, ARowLongerThanASessionNeedsIsDamageThatIsNotRead) {
+  constexpr int other_columns = 32;
+  const auto why = [&](int bytes) {
+    run("UPDATE settings SET json = printf('%*s', " + std::to_string(bytes) + ", '')");
+    const auto file = SessionFile::open(path_);
+    EXPECT_TRUE(file);
+    return (*file)->frame(1).error().text();
+  };
+  EXPECT_THAT(why(limits::session_row_bytes - other_columns), HasSubstr("has 16777184 bytes of settings"));
+  EXPECT_THAT(why(limits::session_row_bytes + 1), HasSubstr("the file is damaged (string or blob too big"));
+}
+
+TEST_F(HostileSession, ATextLongerThanARowMayBeIsNotWritten) {
+  constexpr int other_columns = 32;
+  for (const int beyond : {-other_columns, 0, 1}) {
+    Project project;
+    project.presets.assign(static_cast<std::size_t>(limits::session_row_bytes + beyond), ' ');
+    const Status saved = save_project(path_, project);
+    EXPECT_EQ(saved.ok(), beyond < 0) << beyond;
+    if (!saved) {
+      EXPECT_THAT(saved.error().text(), HasSubstr("a text is longer than the 16 MB"));
+    }
+  }
 }
 
 // The clock went back while it was recorded.

@@ -11,6 +11,7 @@
 #include "core/library/store/motion_library_file.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/recorded_frames.hpp"
+#include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
 #include "core/session/run/history_keeper.hpp"
 #include "tests/core/session/project_values.hpp"
@@ -122,6 +123,30 @@ TEST_F(SaveSession, ThatWasNeverRecordedIsAFileWithTheProjectAlone) {
   ASSERT_TRUE(saved) << saved.error().text();
   EXPECT_EQ(*load_project(folder.file("p.abrazo")), project_of(1));
   EXPECT_THAT(files(), ElementsAre("p.abrazo"));
+}
+
+TEST_F(SaveSession, ThatAnotherWindowHasSavedSinceIsNotReplaced) {
+  SessionToSave here = to("p.abrazo", 1);
+  const auto first = save_session(here, {});
+  ASSERT_TRUE(first);
+  here.file = here.to;
+  here.saved_at = first->saved_at;
+  here.project = project_of(2);
+  ASSERT_TRUE(save_session(here, {})) << "nobody else did";
+  {
+    auto other = SessionDatabase::open(here.file, SessionDatabase::Access::Write);
+    ASSERT_TRUE(other);
+    ASSERT_TRUE(other->execute("UPDATE project SET value = '2999-01-01T00:00:00Z' WHERE key = 'saved_at'"));
+  }
+  here.project = project_of(3);
+  const auto refused = save_session(here, {});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text(),
+              HasSubstr("p.abrazo: was saved by another window at 2999-01-01T00:00:00Z, after"));
+  EXPECT_EQ(*load_project(here.file), project_of(2));
+  here.to = folder.file("mine.abrazo");
+  ASSERT_TRUE(save_session(here, {})) << "under another name it can be";
+  EXPECT_EQ(*load_project(here.to), project_of(3));
 }
 
 TEST_F(SaveSession, ThatIsBeingRecordedGoesThroughTheRecorder) {

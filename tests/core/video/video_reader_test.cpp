@@ -1,4 +1,5 @@
 // Reading videos: the picture with a number is the one that carries it, however it was come to.
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <random>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/limits.hpp"
 #include "core/video/frame_cache.hpp"
 #include "core/video/picture_times.hpp"
 #include "core/video/video_codec.hpp"
@@ -229,17 +231,33 @@ TEST_F(VideoFile, WithSoundAloneIsSaidToHaveNoPictures) {
   EXPECT_THAT(refusal(written("sound.mp4", bytes)), HasSubstr("sound and no pictures"));
 }
 
-// A grey picture of 8200 x 8200 takes a megabyte in the file.
+// A grey picture of 8192 x 8192 takes a megabyte in the file.
 TEST_F(VideoFile, OfPicturesThatAreTooLargeIsRefusedBeforeOneIsRead) {
-  {
-    const cv::Mat grey(8200, 8200, CV_8UC3, cv::Scalar(99, 99, 99));
-    cv::VideoWriter video(at("large.avi").string(), cv::CAP_FFMPEG,
-                          cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25, grey.size());
+  constexpr int side = 8192;
+  static_assert(double{side} * side == limits::video_pixels);
+  for (const auto& [file, height] : {std::pair("largest.avi", side), std::pair("larger.avi", side + 8)}) {
+    const cv::Mat grey(height, side, CV_8UC3, cv::Scalar(99, 99, 99));
+    cv::VideoWriter video(at(file).string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25,
+                          grey.size());
     if (!video.isOpened()) GTEST_SKIP() << "OpenCV here has no encoder for MJPG";
     video.write(grey);
   }
-  EXPECT_THAT(refusal(at("large.avi")),
-              HasSubstr("its pictures are 8200 x 8200; at most 8192 x 8192 can be shown"));
+  EXPECT_EQ(refusal(at("largest.avi")), "");
+  EXPECT_THAT(refusal(at("larger.avi")),
+              HasSubstr("its pictures are 8192 x 8200; at most 8192 x 8192 can be shown"));
+}
+
+// Pictures may grow within a file, and how large they are is known once they are decoded.
+TEST(VideoCodec, ReservesNoMoreAtOnceThanTheLargestPictureTakes) {
+  ASSERT_TRUE(video_codec());
+  const auto reserve = reinterpret_cast<void* (*)(std::size_t)>(::dlsym(RTLD_DEFAULT, "av_malloc"));
+  const auto release = reinterpret_cast<void (*)(void*)>(::dlsym(RTLD_DEFAULT, "av_free"));
+  ASSERT_TRUE(reserve && release);
+  constexpr auto largest = 3 * static_cast<std::size_t>(limits::video_pixels);
+  void* picture = reserve(largest);
+  EXPECT_NE(picture, nullptr);
+  release(picture);
+  EXPECT_EQ(reserve(largest + (2U << 20U)), nullptr);
 }
 
 TEST_F(VideoFile, StopsOpeningWhenItIsToldTo) {
