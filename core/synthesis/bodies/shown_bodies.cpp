@@ -13,6 +13,7 @@ namespace {
 
 constexpr double usual_step_s = 1.0 / 60;
 constexpr double hold_weight = 200;
+constexpr double own_pose = 1.2;  ///< of w_C: the relations weigh more here, and the user stays where he is
 constexpr double foot_weight = 20000;  ///< of a toe base on the floor, at its rebuilt place
 constexpr double foot_height_m = 0.04;
 /// A foot changes its offset as it moves, by 63 % on this way: a standing foot stands, a sliding one slides.
@@ -123,7 +124,7 @@ const PairFit::Outcome& ShownBodies::fit(const ShownTask& task, ShownMemory& mem
 
   task_.edges = task.edges;
   task_.recorded = task.solved;
-  task_.given = task.pose_weight;
+  task_.given = own_pose * task.pose_weight;
   task_.holds = task.holds;
   task_.hold_weight = hold_weight;
   weigh_feet(memory);
