@@ -16,7 +16,7 @@ namespace {
 
 using enum MarkerPlace;
 
-enum class Segment {
+enum class MarkedPart {
   PelvisFront,
   PelvisBack,
   Shoulder,
@@ -40,17 +40,17 @@ struct Word {
 };
 
 /// Beginnings of a name behind its side; longer ones first where one begins another.
-constexpr std::array<Word<Segment>, 30> segments = {
-    {{"asi", Segment::PelvisFront}, {"ias", Segment::PelvisFront}, {"psi", Segment::PelvisBack},
-     {"ips", Segment::PelvisBack},  {"shld", Segment::Shoulder},   {"shoulder", Segment::Shoulder},
-     {"sho", Segment::Shoulder},    {"acr", Segment::Shoulder},    {"elbow", Segment::Elbow},
-     {"elb", Segment::Elbow},       {"wrist", Segment::Wrist},     {"wri", Segment::Wrist},
-     {"wr", Segment::Wrist},        {"hand", Segment::Hand},       {"fin", Segment::Hand},
-     {"thigh", Segment::Thigh},     {"topleg", Segment::Thigh},    {"knee", Segment::Knee},
-     {"kne", Segment::Knee},        {"kn", Segment::Knee},         {"ankle", Segment::Ankle},
-     {"ank", Segment::Ankle},       {"heel", Segment::Heel},       {"hee", Segment::Heel},
-     {"calc", Segment::Heel},       {"toe", Segment::Toe},         {"neck", Segment::Neck},
-     {"head", Segment::Head},       {"hd", Segment::Head},         {"shl", Segment::Shoulder}}};
+constexpr std::array<Word<MarkedPart>, 30> segments = {
+    {{"asi", MarkedPart::PelvisFront}, {"ias", MarkedPart::PelvisFront}, {"psi", MarkedPart::PelvisBack},
+     {"ips", MarkedPart::PelvisBack},  {"shld", MarkedPart::Shoulder},   {"shoulder", MarkedPart::Shoulder},
+     {"sho", MarkedPart::Shoulder},    {"acr", MarkedPart::Shoulder},    {"elbow", MarkedPart::Elbow},
+     {"elb", MarkedPart::Elbow},       {"wrist", MarkedPart::Wrist},     {"wri", MarkedPart::Wrist},
+     {"wr", MarkedPart::Wrist},        {"hand", MarkedPart::Hand},       {"fin", MarkedPart::Hand},
+     {"thigh", MarkedPart::Thigh},     {"topleg", MarkedPart::Thigh},    {"knee", MarkedPart::Knee},
+     {"kne", MarkedPart::Knee},        {"kn", MarkedPart::Knee},         {"ankle", MarkedPart::Ankle},
+     {"ank", MarkedPart::Ankle},       {"heel", MarkedPart::Heel},       {"hee", MarkedPart::Heel},
+     {"calc", MarkedPart::Heel},       {"toe", MarkedPart::Toe},         {"neck", MarkedPart::Neck},
+     {"head", MarkedPart::Head},       {"hd", MarkedPart::Head},         {"shl", MarkedPart::Shoulder}}};
 /// Ends of a name.
 constexpr std::array<Word<On>, 19> places_on = {{{"front", On::Front},
                                                  {"fr", On::Front},
@@ -74,11 +74,11 @@ constexpr std::array<Word<On>, 19> places_on = {{{"front", On::Front},
 
 struct NameOfMarker {
   int side = -1;  ///< 0 left, 1 right
-  Segment segment = Segment::Neck;
+  MarkedPart segment = MarkedPart::Neck;
   On on = On::Plain;
 };
 
-std::optional<Segment> segment_of(std::string_view word, std::string_view& rest) {
+std::optional<MarkedPart> segment_of(std::string_view word, std::string_view& rest) {
   for (const auto& [text, segment] : segments)
     if (word.starts_with(text)) {
       rest = word.substr(text.size());
@@ -159,50 +159,50 @@ class Reader {
       if (!point.empty()) model.names[static_cast<std::size_t>(place)][side] = {point};
     };
     for (const std::size_t side : {0U, 1U}) {
-      set(PelvisFront, side, any(Segment::PelvisFront, side));
-      set(PelvisBack, side, any(Segment::PelvisBack, side));
-      set(Shoulder, side, any(Segment::Shoulder, side));
-      set(Thigh, side, any(Segment::Thigh, side));
-      set(Heel, side, any(Segment::Heel, side));
-      set(Hand, side, any(Segment::Hand, side));
-      for (const auto& [segment, outer, inner] : {std::tuple(Segment::Elbow, Elbow, ElbowInner),
-                                                  {Segment::Wrist, WristThumb, WristLittle},
-                                                  {Segment::Knee, Knee, KneeInner},
-                                                  {Segment::Ankle, Ankle, AnkleInner}}) {
+      set(PelvisFront, side, any(MarkedPart::PelvisFront, side));
+      set(PelvisBack, side, any(MarkedPart::PelvisBack, side));
+      set(Shoulder, side, any(MarkedPart::Shoulder, side));
+      set(Thigh, side, any(MarkedPart::Thigh, side));
+      set(Heel, side, any(MarkedPart::Heel, side));
+      set(Hand, side, any(MarkedPart::Hand, side));
+      for (const auto& [segment, outer, inner] : {std::tuple(MarkedPart::Elbow, Elbow, ElbowInner),
+                                                  {MarkedPart::Wrist, WristThumb, WristLittle},
+                                                  {MarkedPart::Knee, Knee, KneeInner},
+                                                  {MarkedPart::Ankle, Ankle, AnkleInner}}) {
         const auto [one, other] = opposite(of(segment, side));
         set(outer, side, one), set(inner, side, other);
       }
-      std::string toe = any(Segment::Toe, side);
-      const Around& ankle = of(Segment::Ankle, side);
+      std::string toe = any(MarkedPart::Toe, side);
+      const Around& ankle = of(MarkedPart::Ankle, side);
       // From its back to its front the ankle shows where the foot points.
       if (toe.empty() && !at(ankle, On::Back).empty() && opposite(ankle).second == at(ankle, On::Back))
         toe = toe_name(side);
       set(Toe, side, toe);
     }
-    set(Clavicle, 0, unsided(Segment::Neck, On::Front));
-    set(Neck, 0, unsided(Segment::Neck, On::Back));
-    set(HeadFront, 0, unsided(Segment::Head, On::Front));
-    for (const std::size_t side : {0U, 1U}) set(Ear, side, sided(Segment::Head, side));
+    set(Clavicle, 0, unsided(MarkedPart::Neck, On::Front));
+    set(Neck, 0, unsided(MarkedPart::Neck, On::Back));
+    set(HeadFront, 0, unsided(MarkedPart::Head, On::Front));
+    for (const std::size_t side : {0U, 1U}) set(Ear, side, sided(MarkedPart::Head, side));
     return model;
   }
 
  private:
-  const Around& of(Segment segment, std::size_t side) const {
+  const Around& of(MarkedPart segment, std::size_t side) const {
     return around_[static_cast<std::size_t>(segment)][side];
   }
   bool is_unsided(const std::string& point) const {
     return std::ranges::find(unsided_, point) != unsided_.end();
   }
-  std::string any(Segment segment, std::size_t side) const {
+  std::string any(MarkedPart segment, std::size_t side) const {
     for (const std::string& point : of(segment, side))
       if (!point.empty() && !is_unsided(point)) return point;
     return {};
   }
-  std::string sided(Segment segment, std::size_t side) const {
+  std::string sided(MarkedPart segment, std::size_t side) const {
     const std::string& point = at(of(segment, side), On::Plain);
     return is_unsided(point) ? std::string() : point;
   }
-  std::string unsided(Segment segment, On on) const {
+  std::string unsided(MarkedPart segment, On on) const {
     const std::string& point = at(of(segment, 0), on);
     return is_unsided(point) ? point : std::string();
   }
