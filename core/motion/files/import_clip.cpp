@@ -142,8 +142,10 @@ Result<std::optional<NamedMotion>> joints_by_words(const MarkerModel& model, con
          "no marker is on the toes of " + std::string(inferred.size() == 2 ? "both feet" : "one foot") +
              ": they were put ahead of the ankles and below");
   ask(report, "markers",
-      "the markers are of no known set, and were placed by the words of their names; look whether "
-      "the body is right, or name a marker model (--joint-map)");
+      "the markers are of no known set, and were placed by the words of their names; look whether the body "
+      "is "
+      "right, or name a marker model",
+      Hint::NameJointMap);
   joints->inferred_joints.insert(joints->inferred_joints.end(), inferred.begin(), inferred.end());
   std::ranges::sort(joints->inferred_joints);
   return std::optional<NamedMotion>(std::move(*joints));
