@@ -157,7 +157,9 @@ Manifest::Performer settled(const PlannedPerformer& performer, const PlannedPerf
   if (performer.in_the_file < 2) settled.index.reset();
   if (!settled.metres_per_unit) settled.metres_per_unit = performer.report.metres_per_unit;
   if (!settled.up_axis) settled.up_axis = performer.report.up_axis;
-  if (settled.joint_map.empty()) settled.joint_map = performer.report.joint_map;
+  // What was found from the bones or names of this file has no name to read it by.
+  if (settled.joint_map.empty() && is_builtin_joint_map(performer.report.joint_map))
+    settled.joint_map = performer.report.joint_map;
   return settled;
 }
 

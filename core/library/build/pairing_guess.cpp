@@ -114,10 +114,11 @@ Names names_of(std::span<const LonePerformer> performers) {
       Reading& reading = names.readings[reading_of(*difference, names.parts[a].size())];
       ++reading.pairs;
       if (performers[a].clip->poses.size() == performers[b].clip->poses.size()) ++reading.of_equal_length;
+      // Roles name performers, whether or not these are numbered as well.
+      const double says = difference->contrast == NameContrast::Roles ? 1.0 : weight_of(*difference);
       auto& [weight, part] = names.declared[names.parts[a].size()];
-      if (weight_of(*difference) >= declared_weight && weight_of(*difference) > weight &&
-          4 * reading.pairs >= names.files[names.parts[a].size()])
-        weight = weight_of(*difference), part = difference->part;
+      if (says >= declared_weight && says > weight && 4 * reading.pairs >= names.files[names.parts[a].size()])
+        weight = says, part = difference->part;
     }
   return names;
 }

@@ -16,6 +16,7 @@
 #include "core/motion/joints/map_choice.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_model.hpp"
+#include "core/motion/joints/marker_words.hpp"
 #include "core/motion/joints/performers.hpp"
 
 namespace abrazo {
@@ -113,13 +114,41 @@ Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& option
   return std::move(chosen.binding);
 }
 
+bool has_bones(const NamedMotion& motion) {
+  return std::ranges::any_of(motion.parents, [](int parent) { return parent >= 0; });
+}
+
 /// Points without bones between them, of which some are called like markers of a set, or none like a joint.
 bool looks_like_markers(const MarkerFit& fit, const NamedMotion& motion) {
   constexpr std::size_t fewest_markers = 6, fewest_points = 12;
-  if (std::any_of(motion.parents.begin(), motion.parents.end(), [](int parent) { return parent >= 0; }))
-    return false;
+  if (has_bones(motion)) return false;
   return fit.found >= fewest_markers || (motion.points.size() >= fewest_points &&
                                          choose_map(motion, {}).binding.missing.size() == joint_count);
+}
+
+/// The joints by a model that the names' words gave, with a question.
+Result<std::optional<NamedMotion>> joints_by_words(const MarkerModel& model, const NamedMotion& motion,
+                                                   const ImportOptions& options, ImportReport& report) {
+  NamedMotion markers = motion;
+  std::vector<int> inferred = add_inferred_toes(model, markers);
+  const double unit =
+      options.metres_per_unit.value_or(motion.metres_per_unit.value_or(unit_of_markers(model, markers)));
+  Result<NamedMotion> joints = joints_of_markers(model, markers, unit);
+  if (!joints) return joints.error();
+  report.joint_map = model.name;
+  report.warnings = joints->warnings;
+  if (!inferred.empty())
+    warn(report, "inferred-toes",
+         "no marker is on the toes of " + std::string(inferred.size() == 2 ? "both feet" : "one foot") +
+             ": they were put ahead of the ankles and below");
+  ask(report, "markers",
+      "the markers are of no known set, and were placed by the words of their names; look whether the body "
+      "is "
+      "right, or name a marker model",
+      Hint::NameJointMap);
+  joints->inferred_joints.insert(joints->inferred_joints.end(), inferred.begin(), inferred.end());
+  std::ranges::sort(joints->inferred_joints);
+  return std::optional<NamedMotion>(std::move(*joints));
 }
 
 /// Where markers were captured, the joints by the marker model that was said or fits; nothing otherwise.
@@ -127,8 +156,11 @@ Result<std::optional<NamedMotion>> joints_by_markers(const NamedMotion& motion, 
                                                      ImportReport& report) {
   if (!options.marker_model && (options.joint_map || choose_map(motion, {}).fits()))
     return std::optional<NamedMotion>();
-  const MarkerFit fit = options.marker_model ? fit_of(*options.marker_model, motion.points)
-                                             : nearest_marker_model(motion.points);
+  MarkerFit fit = options.marker_model ? fit_of(*options.marker_model, motion.points)
+                                       : nearest_marker_model(motion.points);
+  if (!options.marker_model && !fit.missing.empty() && !has_bones(motion))
+    if (const auto model = marker_model_by_words(motion.points))
+      return joints_by_words(*model, motion, options, report);
   if (options.marker_model && !fit.missing.empty())
     return Error{
         "the marker model '" + fit.model->name + "' does not fit: the file lacks " + some_of(fit.missing),

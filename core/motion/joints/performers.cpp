@@ -7,6 +7,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_map.hpp"
 #include "core/motion/joints/marker_model.hpp"
+#include "core/motion/joints/marker_words.hpp"
 
 namespace abrazo {
 
@@ -86,7 +87,7 @@ bool is_known_body(const NamedMotion& motion, const PointGroup& group) {
   for (const int point : group.points)
     names.push_back(motion.points[static_cast<std::size_t>(point)].substr(group.beginning.size()));
   return names.size() >= fewest_points &&
-         (nearest_marker_model(names).missing.empty() ||
+         (nearest_marker_model(names).missing.empty() || marker_model_by_words(names) ||
           std::ranges::any_of(builtin_joint_maps(),
                               [&](const JointMap& map) { return bind_joints(map, names).missing.empty(); }));
 }

@@ -141,7 +141,8 @@ TEST_F(DatasetPlan, PairsMeAndPartnerWhoAreActiveAndPassive) {
 }
 
 TEST_F(DatasetPlan, PairsLeaderAndFollowerWithNumbersOfSubjects) {
-  expect_all_paired({"s60_leader_01.bvh", "s61_follower_01.bvh", "s60_leader_02.bvh", "s61_follower_02.bvh"});
+  expect_all_paired({"s60_leader_01.bvh", "s61_follower_01.bvh", "s60_leader_02.bvh", "s61_follower_02.bvh"},
+                    true);
 }
 
 TEST_F(DatasetPlan, PairsFoldersOfActorsAndReactors) {

@@ -98,6 +98,15 @@ TEST_F(Plan, SavedAsAManifestReadsBackTheSame) {
   EXPECT_NE(manifest_json(told, folder).find("\"x_A.bvh\""), std::string::npos) << "relative to its folder";
 }
 
+TEST_F(Plan, AMapThatWasFoundFromTheFileIsNotNamed) {
+  write("x_A.bvh", 20, false), write("x_B.bvh", 20, true);
+  pair_up(plan);
+  plan.performers[0].report.joint_map = "skeleton";
+  const Manifest manifest = manifest_of(plan);
+  EXPECT_EQ(manifest.takes.at(0).a.joint_map, "");
+  EXPECT_EQ(manifest.takes.at(0).b.joint_map, "cmu");
+}
+
 /// Y points down, as in the space of a camera: the manifest must say so, or the library is upside down.
 TEST_F(Plan, KeepsAnAxisThatPointsDown) {
   for (const bool follower : {false, true}) {
