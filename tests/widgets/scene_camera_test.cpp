@@ -205,7 +205,7 @@ TEST(ScenePictures, AFilmKeepsBothBodiesWholeInPicturesOfEveryShape) {
       frame->result.result.col(0).array() += step * step_m;
       const QImage picture = film.picture(frame);
       if (step % 10 != 9) continue;
-      const QColor colours[] = {dark().leader, dark().follower};
+      const QColor colours[] = {dark().active, dark().passive};
       for (const QColor& body : colours) {
         EXPECT_GT(pixels_of_hue(picture, body), size.width() * size.height() / 400) << step;
         for (const QRect edge : {QRect(0, 0, 2, size.height()), QRect(size.width() - 2, 0, 2, size.height())})
