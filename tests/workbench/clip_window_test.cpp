@@ -194,7 +194,8 @@ TEST_F(ClipInTheWindow, ANewSessionKeepsTheLibraryAndResetsSettingsAndRole) {
   window().document().changeSetting("user-role", "passive");
   press(Qt::Key_N, Qt::ControlModifier);
   EXPECT_EQ(m_asked, 1) << "settings were changed";
-  ASSERT_TRUE(until([] { return window().document().settings() == preset("responsive").value() && isWhole(); }));
+  ASSERT_TRUE(
+      until([] { return window().document().settings() == preset("responsive").value() && isWhole(); }));
   EXPECT_EQ(window().session()->material().library_of_files(), library);
 }
 

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QStyle>
 #include <QToolButton>
 #include <algorithm>
@@ -394,7 +395,9 @@ QString TransportBar::roleText() const {
 
 /// Leaves out as little as there is room for.
 void TransportBar::makeRoom() {
-  if (!m_isPlaced) return;
+  if (!m_isPlaced || m_makesRoom) return;
+  // A bar that is too narrow for all of its parts is resized by its layout meanwhile.
+  const QScopedValueRollback<bool> once(m_makesRoom, true);
   for (const Room room :
        {Room::All, Room::NoInput, Room::NoFrame, Room::ShortWords, Room::ShortestWords, Room::FewParts}) {
     leaveOut(room);

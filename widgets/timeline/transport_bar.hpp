@@ -120,6 +120,7 @@ class TransportBar : public QWidget {
   bool m_userIsActive = true, m_isHeld = false;
   UserInput m_userInput = UserInput::None;
   bool m_isOfTake = false;
+  bool m_makesRoom = false;
   bool m_isPlaced = false;  ///< has the width of the window
   Room m_room = Room::All;
   QString m_roleBy, m_recorded;

@@ -149,6 +149,7 @@ void RetargetPreview::showRecording(const PreviewedPair& pair, std::shared_ptr<c
   m_ruler->showOtherFrames();
   lookAt();
   m_ticker.setSources(&m_history, &m_latest);
+  m_ticker.setEnd(m_history.span().last_s);
   Playback from_the_beginning;
   from_the_beginning.state = Playback::State::Playing;
   from_the_beginning.loop = true;

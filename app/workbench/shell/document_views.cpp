@@ -1,11 +1,16 @@
 #include "app/workbench/shell/document_views.hpp"
 
+#include <cstdint>
+#include <memory>
+#include <utility>
+
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
+#include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -77,6 +82,27 @@ void show_contents(MainWindow& window) {
   if (!material.input_plays()) window.ticker().goToStart();
 }
 
+void show_playback(MainWindow& window, const Playback& playback) {
+  LiveSession* session = window.session();
+  const FrameSnapshotPtr& shown = window.ticker().shown();
+  const bool is_of_clip = session && session->isClip();
+  if (is_of_clip) session->engine().look_at(playback.cursor_s);
+  const auto number = [&] { return is_of_clip ? shown->input_frame : static_cast<long long>(shown->index); };
+  window.transport().showHeld(session && session->engine().is_held());
+  window.transport().showPlayback(playback, shown ? number() : -1);
+}
+
+/// The frames of a clip that was solved again took the places of those that lanes and curves have read.
+/// @param run  of the solution that they show
+void show_solved_again(MainWindow& window, std::uint64_t& run) {
+  if (!window.session() || window.session()->looksElsewhere()) return;
+  const auto clip = window.session()->engine().clip_progress();
+  if (!clip || !clip->is_whole() || clip->run == std::exchange(run, clip->run) || clip->run == 1) return;
+  window.plots().clear();
+  window.timeline().showOtherFrames();
+  window.takes().showOtherFrames();
+}
+
 }  // namespace
 
 void show_frames_of_session(MainWindow& window) {
@@ -103,7 +129,15 @@ void show_document(MainWindow& window) {
           });
   QObject::connect(&document, &Document::triedPinChanged, &window,
                    [&window] { show_part(window, ProjectPart::Decisions); });
-  QObject::connect(&document, &Document::began, &window, [&window] { show_session(window); });
+  const auto run = std::make_shared<std::uint64_t>(0);
+  QObject::connect(&document, &Document::began, &window, [&window, run] {
+    *run = 0;
+    show_session(window);
+  });
+  QObject::connect(&window.ticker(), &FrameTicker::panelsDue, &window,
+                   [&window, run] { show_solved_again(window, *run); });
+  QObject::connect(&window.ticker(), &FrameTicker::playbackChanged, &window,
+                   [&window](const Playback& playback) { show_playback(window, playback); });
   QObject::connect(&document, &Document::opened, &window, [&window] { show_contents(window); });
   connect(window.timeline(), &TimelineView::markersRequested, &Document::changeMarkers);
   QObject::connect(&document, &Document::changed, &window, [&window](ProjectPart part) {

@@ -42,10 +42,13 @@ void fill(MainWindow& window, const Layouts& layouts, QMenu* menu, QAction* befo
 /// In the row of the menus, as long as the menus have room beside them.
 class TaskTabs : public QTabBar {
  public:
+  static constexpr int tallest_px = 26;  // the row stays as high as the menus make it
+
   TaskTabs(QMainWindow& window, Layouts& layouts) : m_window(window) {
     setAccessibleName("Task");
     setDrawBase(false);
     setExpanding(false);
+    setMaximumHeight(tallest_px);
     setFocusPolicy(Qt::TabFocus);
     for (const QString& task : Layouts::builtIn()) setTabToolTip(addTab(task), "The panels for this task");
     connect(this, &QTabBar::currentChanged, &layouts,

@@ -237,31 +237,10 @@ void MainWindow::wireTransport() {
   connect(m_transport, &TransportBar::loopRequested, &m_ticker, &FrameTicker::setLoop);
   connect(m_timeline, &TimelineView::seekRequested, &m_ticker, &FrameTicker::seek);
   connect(m_plots, &PlotPanel::seekRequested, &m_ticker, &FrameTicker::seek);
-  connect(&m_ticker, &FrameTicker::playbackChanged, m_transport, [this](const Playback& playback) {
-    const auto& shown = m_ticker.shown();
-    m_transport->showHeld(session() && session()->engine().is_held());
-    const bool is_of_clip = session() && session()->isClip();
-    if (is_of_clip) session()->engine().look_at(playback.cursor_s);
-    m_transport->showPlayback(playback, !shown       ? -1
-                                        : is_of_clip ? shown->input_frame
-                                                     : static_cast<long long>(shown->index));
-  });
-}
-
-/// The frames of a clip that was solved again took the places of those that lanes and curves have read.
-void MainWindow::showSolvedAgain() {
-  const auto clip = session()->engine().clip_progress();
-  if (!clip || !clip->is_whole() || clip->run == m_shownRun || session()->looksElsewhere()) return;
-  m_shownRun = clip->run;
-  if (clip->run == 1) return;
-  m_plots->clear();
-  m_timeline->showOtherFrames();
-  m_takes->showOtherFrames();
 }
 
 void MainWindow::showPanels() {
   if (!session()) return;
-  showSolvedAgain();
   m_timeline->refresh(session()->history(), m_ticker.playback());
   m_plots->refresh(session()->history(), m_ticker.playback(), m_ticker.shown());
   m_candidates->showPath(session()->history(), m_ticker.playback().cursor_s);

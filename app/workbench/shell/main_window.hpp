@@ -166,7 +166,6 @@ class MainWindow : public QMainWindow {
   void showPanels();
   void start(PreparedSolver prepared);
   InputUse useOf(const Material& material) const;
-  void showSolvedAgain();
   void endSession();
 
   UserSettings& m_remembered;
@@ -192,8 +191,7 @@ class MainWindow : public QMainWindow {
   DropHint* m_dropHint = nullptr;
   QTimer m_statusTimer;
   bool m_playsAsLive = false, m_wantsStream = false;
-  std::uint64_t m_shownRun = 0;  ///< of the clip's solution, which views show as a whole
-  bool m_isStopping = false;     ///< closes as soon as no work runs
+  bool m_isStopping = false;  ///< closes as soon as no work runs
 
   FrameTicker m_ticker;
   std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the

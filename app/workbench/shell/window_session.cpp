@@ -138,7 +138,6 @@ void MainWindow::start(PreparedSolver prepared) {
   m_document->finishSession();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
-  m_shownRun = 0;
   m_document->openSession(std::move(prepared));
 }
 

@@ -98,9 +98,10 @@ std::string name_of_node(const Json& node, std::size_t number) {
 }
 
 /// By VRM's own list, else by names.
-BoneNodes bone_nodes(const Json& json) {
-  BoneNodes found = vrm_bone_nodes(json);
+BoneNodes bone_nodes(const GlbFile& glb) {
+  BoneNodes found = vrm_bone_nodes(glb);
   if (!found.empty()) return found;
+  const Json& json = glb.json;
   const std::size_t nodes = json["nodes"].size();
   for (std::size_t n = 0; n < nodes; ++n) {
     const Json& name = in(json["nodes"][n], "name");
@@ -116,7 +117,8 @@ BoneNodes bone_nodes(const Json& json) {
 
 }  // namespace
 
-BoneNodes vrm_bone_nodes(const Json& json) {
+BoneNodes vrm_bone_nodes(const GlbFile& glb) {
+  const Json& json = glb.json;
   BoneNodes found;
   const std::size_t nodes = json["nodes"].size();
   for (const char* extension : {"VRMC_vrm", "VRMC_vrm_animation"}) {
@@ -146,7 +148,7 @@ Result<HumanoidRig> read_humanoid_rig(const GlbFile& glb, const std::string& whe
       return Error{"its node " + name_of_node(glb.json["nodes"][n], n) +
                        " is farther away, or scaled by more, than a figure's can be; export it again",
                    where};
-  rig.bones = bone_nodes(glb.json);
+  rig.bones = bone_nodes(glb);
   std::string missing;
   for (const HumanoidBone& bone : humanoid_bones)
     if (bone.is_required && !rig.bones.contains(bone.name))

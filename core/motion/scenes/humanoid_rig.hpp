@@ -4,7 +4,6 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,7 +71,7 @@ struct HumanoidRig {
 };
 
 /// Nodes of the bones that a VRM (0.x, 1.0, or an animation) lists, by VRM's names in lower case.
-std::map<std::string, int, std::less<>> vrm_bone_nodes(const nlohmann::json& gltf);
+std::map<std::string, int, std::less<>> vrm_bone_nodes(const GlbFile& glb);
 
 /// Bones are those that VRM lists, or found by the names of Mixamo or VRM.
 /// @param where  the file's name, for messages

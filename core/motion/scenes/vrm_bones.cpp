@@ -14,7 +14,7 @@ constexpr double rest_fps = 30;  ///< of one frame, which has no rate
 /// VRM's list, in a file that has one: bones by their nodes.
 std::map<int, std::string> listed_bones(const GlbFile& glb) {
   std::map<int, std::string> bones;
-  for (const auto& [name, node] : vrm_bone_nodes(glb.json)) bones.emplace(node, name);
+  for (const auto& [name, node] : vrm_bone_nodes(glb)) bones.emplace(node, name);
   return bones;
 }
 
