@@ -111,14 +111,14 @@ bool MainWindow::openMaterial(MakeMaterial make, const QStringList& files, AsksT
       if (session() && stays == ready->material.library_of_files() &&
           !session()->material().library_file.empty())
         ready->material.library_file = session()->material().library_file;
-      Material& material = ready->material;
-      material.use = useOf(material);
-      if (material.use == InputUse::ClipAsLive && !m_playsAsLive)
-        material.warnings.push_back(
+      Material& opened = ready->material;
+      opened.use = useOf(opened);
+      if (opened.use == InputUse::ClipAsLive && !m_playsAsLive)
+        opened.warnings.push_back(
             fmt::format("the clip has {} frames, more than are kept of a clip that is solved as a whole "
                         "({}): it is played as "
                         "live; open a part of it to see its frames at once",
-                        material.input.poses.size(), Material::most_frames_solved));
+                        opened.input.poses.size(), Material::most_frames_solved));
       start(std::move(*ready));
       if (!files.isEmpty()) emit filesOpened(files);
     };
