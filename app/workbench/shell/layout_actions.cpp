@@ -50,6 +50,7 @@ class TaskTabs : public QTabBar {
     setDrawBase(false);
     setExpanding(false);
     setMaximumHeight(tallest_px);
+    setStyleSheet("QTabBar::tab { padding: 2px 10px; }");  // with the line below the chosen one
     setFocusPolicy(Qt::TabFocus);
     for (const QString& task : Layouts::builtIn()) setTabToolTip(addTab(task), "The panels for this task");
     connect(this, &QTabBar::currentChanged, &layouts,

@@ -54,7 +54,7 @@ void Layouts::reset() {
     showOnly({"library", "annotation"});
     m_window.makeRoomForLanes();
   }
-  if (m_task == "Live") showOnly({"scene", "connection", "recording", "latency"});
+  if (m_task == "Live") showOnly({"scene", "connection", "recording"});
 }
 
 bool Layouts::choose(const QString& name) {

@@ -380,6 +380,15 @@ void LiveLoop::publish(std::shared_ptr<FrameSnapshot> snapshot) {
 void LiveLoop::publish_failure(const std::string& why, double now_s) {
   const FrameSnapshotPtr last = latest_.newest();
   auto snapshot = last ? std::make_shared<FrameSnapshot>(*last) : std::make_shared<FrameSnapshot>();
+  if (source_->finite()) {
+    // A clip has no frames but its own: the last that was solved says it.
+    snapshot->result.status = StepStatus::Failed;
+    snapshot->result.message = why;
+    const FrameSnapshotPtr told = std::move(snapshot);
+    history_.put(told);
+    latest_.publish(told);
+    return;
+  }
   snapshot->time_s = std::max(now_s, last_frame_s_ + least_between_frames_s);
   snapshot->elapsed_s = -1;
   snapshot->before = nullptr;

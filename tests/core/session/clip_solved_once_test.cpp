@@ -151,6 +151,20 @@ TEST(ClipSolvedOnce, IsNotSentAsIfItWerePerformed) {
   EXPECT_TRUE(sink->sent().empty());
 }
 
+TEST(ClipSolvedOnce, AFailureIsToldByTheLastFrameAndAddsNone) {
+  Solving solving(test::responsive_by_pose());
+  for (int turn = 0; turn < 20; ++turn) solving.loop.turn(5);
+  const std::uint64_t last = solving.latest.newest()->index;
+  solving.loop.publish_failure("the role stays", 99);
+  EXPECT_EQ(solving.latest.newest()->index, last);
+  EXPECT_EQ(solving.frames()[last]->result.message, "the role stays");
+  solving.finish();
+  const auto frames = solving.frames();
+  ASSERT_EQ(frames.size(), frames_of_clip);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    EXPECT_DOUBLE_EQ(frames[i]->time_s, static_cast<double>(i) / user_clip().fps);
+}
+
 TEST(SilentInput, SendsNothingMoreAndMakesNoFrame) {
   CommandQueue commands;
   FrameHistory history;
