@@ -44,7 +44,7 @@ FrameSpan frames_of(const Annotation& annotation, double fps, int frames) {
   return {frame(annotation.start_s), frame(annotation.end_s)};
 }
 
-// ---- new pairs of one take ----
+// ---- new pairs of a take ----
 
 template <typename Interval>
 const Interval* holding(const std::vector<Interval>& intervals, int frame) {
@@ -206,32 +206,37 @@ Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fp
   return taken;
 }
 
-Result<MotionLibrary> with_annotation(const MotionLibrary& library, std::string_view take,
-                                      const TakeAnnotation& annotation) {
-  const int index = library.find_take(take);
-  if (index < 0) return no_such_take(library, take);
-  const std::string where = fmt::format("take {}", take);
-  if (const Status checked = check_intervals(annotation.roles, "role", where); !checked)
-    return checked.error();
-  if (const Status checked = check_intervals(annotation.labels, "label", where); !checked)
-    return checked.error();
+Result<MotionLibrary> with_annotations(const MotionLibrary& library, const TakeAnnotations& takes) {
+  for (const auto& [take, annotation] : takes) {
+    if (library.find_take(take) < 0) return no_such_take(library, take);
+    const std::string where = fmt::format("take {}", take);
+    if (const Status checked = check_intervals(annotation.roles, "role", where); !checked)
+      return checked.error();
+    if (const Status checked = check_intervals(annotation.labels, "label", where); !checked)
+      return checked.error();
+  }
   if (library.columns().roles_exchanged) {
-    const auto annotated = with_annotation(with_roles_exchanged(library), take, annotation);
+    const auto annotated = with_annotations(with_roles_exchanged(library), takes);
     if (!annotated) return annotated.error();
     return with_roles_exchanged(*annotated);
   }
   LibraryColumns columns = columns_without_pairs(library);
-  const auto annotated = static_cast<std::uint32_t>(index);
-  columns.takes[annotated].roles = annotation.roles;
-  columns.takes[annotated].labels = annotation.labels;
+  std::vector<const TakeAnnotation*> waiting(columns.takes.size());  // whose pairs are not in `rows` yet
+  for (const auto& [take, annotation] : takes) {
+    const auto index = static_cast<std::size_t>(library.find_take(take));
+    columns.takes[index].roles = annotation.roles;
+    columns.takes[index].labels = annotation.labels;
+    waiting[index] = &annotation;
+  }
+  const auto annotated = waiting;
   PairRows rows(library, columns);
   const bool both_roles = has_both_roles(library);
-  bool added = false;
   for (int pair = 0; pair < library.pair_count(); ++pair) {
-    if (library.source(pair).take != annotated)
+    const std::uint32_t take = library.source(pair).take;
+    if (!annotated[take])
       rows.copy(pair);
-    else if (!std::exchange(added, true))
-      add_take(library, library.takes()[annotated], annotation.roles, both_roles, rows);
+    else if (const auto* annotation = std::exchange(waiting[take], nullptr))
+      add_take(library, library.takes()[take], annotation->roles, both_roles, rows);
   }
   return MotionLibrary(std::move(columns));
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,14 +26,14 @@ struct TakeAnnotation {
   std::vector<LabelInterval> labels;
 };
 Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fps, int frames);
+using TakeAnnotations = std::map<std::string, TakeAnnotation, std::less<>>;  ///< by name of the take
 
-/// The library with other roles and labels of one take, without rebuilding meshes: a frame whose active
+/// The library with other roles and labels of some takes, without rebuilding meshes: a frame whose active
 /// character changed reuses its mesh with the bodies exchanged. Roles determine the pairs, as in a build: the
 /// annotated assignment, both assignments where there is no role, and both everywhere if the library was
 /// built with both roles. Equal to a build with these annotations, except the order of mesh elements and, in
 /// exchanged pairs, the rounding of poses (1e-12 m) and the few edges where Delaunay is not unique. Pair
 /// numbers change if roles change.
-Result<MotionLibrary> with_annotation(const MotionLibrary& library, std::string_view take,
-                                      const TakeAnnotation& annotation);
+Result<MotionLibrary> with_annotations(const MotionLibrary& library, const TakeAnnotations& takes);
 
 }  // namespace abrazo

@@ -11,6 +11,10 @@ bool is_same(const TakeAnnotation& a, const TakeAnnotation& b) {
   return a.roles == b.roles && a.labels == b.labels;
 }
 
+TakeAnnotation as_in(const LibraryTake& take) {
+  return {take.roles, take.labels};
+}
+
 }  // namespace
 
 Result<bool> LibraryUpdates::put(const MotionLibrary& library, const std::string& take,
@@ -23,13 +27,13 @@ Result<bool> LibraryUpdates::put(const MotionLibrary& library, const std::string
   const auto waiting = waiting_.find(take), under_way = under_way_.find(take);
   const TakeAnnotation last = waiting != waiting_.end()       ? waiting->second
                               : under_way != under_way_.end() ? under_way->second
-                                                              : TakeAnnotation{known.roles, known.labels};
+                                                              : as_in(known);
   if (is_same(last, *said)) return false;
   waiting_[take] = std::move(*said);
   return true;
 }
 
-const LibraryUpdates::Takes& LibraryUpdates::begin() {
+const TakeAnnotations& LibraryUpdates::begin() {
   waiting_.merge(under_way_);
   under_way_ = std::exchange(waiting_, {});
   return under_way_;
@@ -40,14 +44,19 @@ void LibraryUpdates::forget() {
   under_way_.clear();
 }
 
-Result<std::shared_ptr<const MotionLibrary>> with_updates(std::shared_ptr<const MotionLibrary> library,
-                                                          const LibraryUpdates::Takes& takes) {
-  for (const auto& [take, annotation] : takes) {
-    auto next = with_annotation(*library, take, annotation);
-    if (!next) return next.error();
-    library = std::make_shared<const MotionLibrary>(std::move(next).value());
-  }
-  return library;
+Result<std::shared_ptr<const MotionLibrary>> with_updates(const std::shared_ptr<const MotionLibrary>& base,
+                                                          const MotionLibrary& annotated,
+                                                          const TakeAnnotations& updates) {
+  TakeAnnotations all = updates;
+  for (const LibraryTake& take : annotated.takes()) all.try_emplace(take.name, as_in(take));
+  std::erase_if(all, [&](const auto& one) {
+    const int known = base->find_take(one.first);
+    return known >= 0 && is_same(as_in(base->takes()[static_cast<std::size_t>(known)]), one.second);
+  });
+  if (all.empty()) return base;
+  auto next = with_annotations(*base, all);
+  if (!next) return next.error();
+  return std::make_shared<const MotionLibrary>(std::move(next).value());
 }
 
 }  // namespace abrazo

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 
@@ -12,24 +11,25 @@ namespace abrazo {
 /// has them is in use.
 class LibraryUpdates {
  public:
-  using Takes = std::map<std::string, TakeAnnotation>;  ///< by name
-
   /// Puts the annotations of a take in the queue if they differ from the library and from the pending update.
   /// @return whether the queue changed; an Error if a role is neither a nor b
   Result<bool> put(const MotionLibrary& library, const std::string& take, const Annotations& annotations);
   /// Begins an update with everything in the queue, and with the previous update if it did not finish.
-  const Takes& begin();
+  const TakeAnnotations& begin();
   /// Ends the update: it is in the library, or failed.
   void end() { under_way_.clear(); }
   void forget();
   bool is_idle() const { return waiting_.empty() && under_way_.empty(); }
 
  private:
-  Takes waiting_, under_way_;
+  TakeAnnotations waiting_, under_way_;
 };
 
-/// The library with the updates; an unknown take is an Error. See `with_annotation`.
-Result<std::shared_ptr<const MotionLibrary>> with_updates(std::shared_ptr<const MotionLibrary> library,
-                                                          const LibraryUpdates::Takes& takes);
+/// What `annotated` becomes with the updates. It is made of `base`, the library before all annotations, so
+/// that the same annotations make the same library to the bit, in whatever order they came; `base` itself
+/// where nothing differs from it. An unknown take is an Error. See `with_annotations`.
+Result<std::shared_ptr<const MotionLibrary>> with_updates(const std::shared_ptr<const MotionLibrary>& base,
+                                                          const MotionLibrary& annotated,
+                                                          const TakeAnnotations& updates);
 
 }  // namespace abrazo

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/annotation/annotated_library.hpp"
+#include "core/annotation/library_updates.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/opening/file_kinds.hpp"
@@ -22,18 +22,15 @@ using Use = DataReference::Use;
 
 /// The library with the annotations of the session put into its takes; null without such annotations.
 LibraryPtr annotated(const LibraryPtr& library, const AnnotationBook& book) {
-  LibraryPtr done;
+  TakeAnnotations takes;
   for (const auto& [name, annotations] : book) {
     const int index = library->find_take(name);
     if (index < 0) continue;
     const LibraryTake& take = library->takes()[static_cast<std::size_t>(index)];
-    const auto said = take_annotation(annotations, take.fps, take.frames);
-    if (!said) continue;
-    auto next = with_annotation(done ? *done : *library, name, *said);
-    if (!next) return nullptr;
-    done = std::make_shared<const MotionLibrary>(std::move(*next));
+    if (auto said = take_annotation(annotations, take.fps, take.frames)) takes[name] = std::move(*said);
   }
-  return done;
+  const auto done = with_updates(library, *library, takes);
+  return done && *done != library ? *done : nullptr;
 }
 
 /// Of what is open the library alone, and where it is from.

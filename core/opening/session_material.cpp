@@ -84,10 +84,16 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
     return Error{found.error().message + "; open the session together with its library (both files at once)",
                  found.error().where};
   // Other labels than when a frame was recorded change nothing that is shown of it.
-  if (!found->fits && !(reference && has_motion_of(*reference, *found->material.library)))
-    found->material.warnings.push_back(
-        found->fits.error().text() +
-        "; the recorded frames have no mesh, and candidates only where their takes have the same names");
+  if (found->fits || (reference && has_motion_of(*reference, *found->material.library))) return found;
+  // Roles that were annotated make other pairs of the same motion.
+  const bool is_the_same = std::ranges::any_of(references, [&](const SessionLibrary& each) {
+    return has_motion_of(each, *found->material.library_of_files());
+  });
+  found->material.warnings.push_back(
+      is_the_same ? "frames that were solved while the takes had other roles have no mesh"
+                  : found->fits.error().text() +
+                        "; the recorded frames have no mesh, and candidates only "
+                        "where their takes have the same names");
   return found;
 }
 

@@ -13,11 +13,12 @@ using widgets::text;
 
 constexpr int settle_ms = 120;
 
-Result<PreparedSolver> annotated(Material material, const LibraryUpdates::Takes& takes,
+Result<PreparedSolver> annotated(Material material, const TakeAnnotations& updates,
                                  const Settings& settings) {
-  auto library = with_updates(material.library, takes);
+  const auto base = material.library_of_files();
+  auto library = with_updates(base, *material.library, updates);
   if (!library) return library.error();
-  material.unannotated = material.library_of_files();
+  material.unannotated = *library == base ? nullptr : base;
   material.library = std::move(*library);
   return prepare_solver(std::move(material), settings);
 }

@@ -88,7 +88,7 @@ void expect_like_a_rebuild(const TakeAnnotation& annotation, const LibraryBuildO
   const MotionLibrary before = built(takes, options);
   takes[0].roles = annotation.roles;
   takes[0].labels = annotation.labels;
-  const auto annotated = with_annotation(before, "one", annotation);
+  const auto annotated = with_annotations(before, {{"one", annotation}});
   ASSERT_TRUE(annotated) << annotated.error().text();
   expect_equal(*annotated, built(takes, options), Meshes::SameButForTies);
 }
@@ -119,7 +119,7 @@ TEST(AnnotatedLibrary, KeepsBothAssignmentsOfALibraryThatHasBoth) {
 
 TEST(AnnotatedLibrary, APairWhoseRolesChangeKeepsItsMeshWithTheBodiesExchanged) {
   const MotionLibrary before = built(two_takes());
-  const auto after = with_annotation(before, "one", {{{0, 40, ActivePerformer::B}}, {}});
+  const auto after = with_annotations(before, {{"one", {{{0, 40, ActivePerformer::B}}, {}}}});
   ASSERT_TRUE(after);
   std::vector<MeshEdge> wanted;
   for (const MeshEdge& edge : before.edges(before.find_pair("one", 3, false))) {
@@ -134,31 +134,32 @@ TEST(AnnotatedLibrary, APairWhoseRolesChangeKeepsItsMeshWithTheBodiesExchanged) 
 
 TEST(AnnotatedLibrary, TakesBackAnAnnotation) {
   const MotionLibrary before = built(two_takes());
-  const auto there = with_annotation(before, "one", other_annotation);
+  const auto there = with_annotations(before, {{"one", other_annotation}});
   ASSERT_TRUE(there);
-  const auto back = with_annotation(*there, "one", {before.takes()[0].roles, before.takes()[0].labels});
+  const auto back = with_annotations(*there, {{"one", {before.takes()[0].roles, before.takes()[0].labels}}});
   ASSERT_TRUE(back);
   expect_equal(*back, before);
 }
 
 TEST(AnnotatedLibrary, WithExchangedRolesStaysSo) {
   const MotionLibrary before = built(two_takes());
-  const auto annotated = with_annotation(with_roles_exchanged(before), "one", other_annotation);
+  const auto annotated = with_annotations(with_roles_exchanged(before), {{"one", other_annotation}});
   ASSERT_TRUE(annotated);
   EXPECT_TRUE(annotated->columns().roles_exchanged);
-  expect_equal(*annotated, with_roles_exchanged(*with_annotation(before, "one", other_annotation)));
+  expect_equal(*annotated, with_roles_exchanged(*with_annotations(before, {{"one", other_annotation}})));
 }
 
 TEST(AnnotatedLibrary, RefusesWhatDoesNotFit) {
   const MotionLibrary library = built(two_takes());
-  EXPECT_THAT(with_annotation(library, "three", {}).error().text(),
+  EXPECT_THAT(with_annotations(library, {{"three", {}}}).error().text(),
               HasSubstr("no take 'three'; it has one, two"));
-  EXPECT_THAT(with_annotation(library, "one", {{}, {{5, 5, "x", "", ""}}}).error().text(),
+  EXPECT_THAT(with_annotations(library, {{"one", {{}, {{5, 5, "x", "", ""}}}}}).error().text(),
               HasSubstr("label 0 [5, 5) is empty"));
-  EXPECT_THAT(with_annotation(library, "one", {{{0, 9, ActivePerformer::A}, {5, 12, ActivePerformer::B}}, {}})
-                  .error()
-                  .text(),
-              HasSubstr("role 1 [5, 12)"));
+  EXPECT_THAT(
+      with_annotations(library, {{"one", {{{0, 9, ActivePerformer::A}, {5, 12, ActivePerformer::B}}, {}}}})
+          .error()
+          .text(),
+      HasSubstr("role 1 [5, 12)"));
 }
 
 TEST(TakeAnnotations, OfATakeAreItsRolesAndLabels) {

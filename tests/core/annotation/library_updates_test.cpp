@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/session/edit/live_annotations.hpp"
+#include "core/session/file/library_reference.hpp"
 #include "tests/core/annotation/label_tiers.hpp"
 #include "tests/support/libraries.hpp"
 
@@ -87,12 +88,29 @@ TEST_F(LibraryUpdatesTest, ARoleThatIsNoneIsAnError) {
 
 TEST_F(LibraryUpdatesTest, ALibraryWithThemHasThem) {
   put(1, with_move(1, "dip"));
-  const auto next = with_updates(library, updates.begin());
+  const auto next = with_updates(library, *library, updates.begin());
   ASSERT_TRUE(next);
   EXPECT_EQ((*next)->takes().at(1).labels.front().label, "dip");
   EXPECT_EQ((*next)->takes().at(0).labels.size(), library->takes().at(0).labels.size());
   updates.end();
   EXPECT_FALSE(*updates.put(**next, name(1), with_move(1, "dip")));
+}
+
+/// A session that was saved finds the library of its frames by the fingerprint, which is of every bit.
+TEST_F(LibraryUpdatesTest, TheSameAnnotationsMakeTheSameLibraryByWhateverWay) {
+  const LibraryTake& take = library->takes().front();
+  const auto led_by_b = [&take](int from, int to) {
+    return TakeAnnotations{{take.name, {{{from, to, ActivePerformer::B}}, take.labels}}};
+  };
+  const auto straight = with_updates(library, *library, led_by_b(4, 9));
+  const auto first = with_updates(library, *library, led_by_b(2, 30));
+  const auto then = with_updates(library, **first, led_by_b(4, 9));
+  ASSERT_TRUE(straight && first && then);
+  EXPECT_NE(library_fingerprint(**straight), library_fingerprint(*library));
+  EXPECT_EQ(library_fingerprint(**then), library_fingerprint(**straight));
+  const auto back = with_updates(library, **then, {{take.name, {take.roles, take.labels}}});
+  ASSERT_TRUE(back);
+  EXPECT_EQ(*back, library) << "it is the file's again";
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST_F(LibrarySearchTest, WithWhatWasSaidOfItsTakes) {
   const AnnotationBook book = {{"first", test::said_of(*small, "first", "dip")}};
   const LibraryTake& take = small->takes().front();
   const auto said = take_annotation(book.at("first"), take.fps, take.frames);
-  const auto annotated = std::make_shared<const MotionLibrary>(*with_annotation(*small, "first", *said));
+  const auto annotated = std::make_shared<const MotionLibrary>(*with_annotations(*small, {{"first", *said}}));
   ASSERT_TRUE(write_library(*small, library_file));
   test::record(path, annotated, "");
   Material material;

@@ -136,6 +136,20 @@ TEST_F(SessionMaterial, ARecordingComesWithFramesLibraryAndProject) {
   EXPECT_TRUE(material->project);
 }
 
+/// It said that the library was built again, at each opening.
+TEST_F(SessionMaterial, FramesUnderRolesThatWereTakenBackAreNotThoseOfAnotherLibrary) {
+  const LibraryTake& take = built.library->takes().front();
+  const auto led_by_b = with_annotations(*built.library, {{take.name, {{{0, 20, ActivePerformer::B}}, {}}}});
+  ASSERT_TRUE(led_by_b);
+  test::record(path, built.library, "");
+  test::record(path, std::make_shared<const MotionLibrary>(*led_by_b), "");
+  test::save(path, built, said());
+  const auto material = opened();
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_THAT(material->warnings, Contains(HasSubstr("while the takes had other roles")));
+  EXPECT_THAT(material->warnings, Not(Contains(HasSubstr("built again"))));
+}
+
 TEST_F(SessionMaterial, ARecordingWithoutItsLibraryOpensOnlyWhenAPersonSaysSo) {
   test::record(path, built.library, "", {"take_02"});
   const auto refused = opened();

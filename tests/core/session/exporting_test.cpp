@@ -195,9 +195,9 @@ TEST_F(Exporting, ATakeOfTheLibraryIsExportedAsItWasRecorded) {
 TEST_F(Exporting, ATakeWhoseRolesChangeKeepsItsBodies) {
   const auto library = test::session_library();
   const LibraryTake& take = library->takes().front();
-  const auto roles =
-      with_annotation(*library, take.name,
-                      {{{0, 60, ActivePerformer::A}, {60, take.frames, ActivePerformer::B}}, take.labels});
+  const auto roles = with_annotations(
+      *library,
+      {{take.name, {{{0, 60, ActivePerformer::A}, {60, take.frames, ActivePerformer::B}}, take.labels}}});
   ASSERT_TRUE(roles) << roles.error().text();
   const auto changed = std::make_shared<const MotionLibrary>(*roles);
   ASSERT_TRUE(export_session(*export_of_take(library, take.name), wish(ExportContent::Motion, "before.csv")));

@@ -27,7 +27,7 @@ Library with_b_leading(const Library& library, int from, int to) {
   TakeAnnotation said{{}, take.labels};
   said.roles = {
       {0, from, ActivePerformer::A}, {from, to, ActivePerformer::B}, {to, take.frames, ActivePerformer::A}};
-  auto next = with_annotation(*library, take.name, said);
+  auto next = with_annotations(*library, {{take.name, said}});
   EXPECT_TRUE(next) << next.error().text();
   return std::make_shared<const MotionLibrary>(std::move(*next));
 }
