@@ -371,7 +371,7 @@ TEST_F(HistoryInTheWindow, APinOnAParkedFrameIsTriedThereAndTheLivePartnerIsNotT
   EXPECT_EQ(window().document().triedPin(), other);
   EXPECT_FALSE(window().document().decisions().pinned) << "the live partner is not pinned";
   EXPECT_FALSE(button("Lift the pin of the live partner")->isVisible());
-  EXPECT_TRUE(button("Pin the live partner, too")->isVisible());
+  EXPECT_TRUE(button("Use for the live partner, too")->isVisible());
   ASSERT_TRUE(until([] { return comparison().shown() && comparison().shown()->done; }));
   const FrameSnapshotPtr tried = comparison().shown()->b->at(parked->time_s);
   ASSERT_TRUE(tried);
@@ -388,7 +388,7 @@ TEST_F(HistoryInTheWindow, TheTriedPinIsAppliedToLiveByAClickAndLiftedByAnother)
   turn();
   press(Qt::Key_P);
   ASSERT_TRUE(window().document().triedPin());
-  QTest::mouseClick(button("Pin the live partner, too"), Qt::LeftButton);
+  QTest::mouseClick(button("Use for the live partner, too"), Qt::LeftButton);
   EXPECT_EQ(window().document().decisions().pinned, other);
   EXPECT_FALSE(window().document().triedPin());
   EXPECT_TRUE(button("Lift the pin of the live partner")->isVisible()) << "also while parked";
@@ -396,6 +396,45 @@ TEST_F(HistoryInTheWindow, TheTriedPinIsAppliedToLiveByAClickAndLiftedByAnother)
   QTest::mouseClick(button("Lift the pin of the live partner"), Qt::LeftButton);
   EXPECT_FALSE(window().document().decisions().pinned);
   EXPECT_FALSE(button("Lift the pin of the live partner")->isVisible());
+}
+
+/// One rule for both: alpha changed the live partner while a pin was tried.
+TEST_F(HistoryInTheWindow, ASettingOnAParkedFrameIsTriedThereLikeAPin) {
+  Document& document = window().document();
+  const Settings live = document.settings();
+  const auto alpha_of_newest = [] { return engine().latest().newest()->settings.alpha; };
+  const auto goes_on = [] {
+    const auto from = engine().latest().newest()->index;
+    return until([from] { return engine().latest().newest()->index > from + 20; });
+  };
+  ticker().step(-30);
+  turn();
+  document.changeSetting("alpha", "0.93");
+  EXPECT_TRUE(document.triesOther());
+  EXPECT_TRUE(button("Use for the live partner, too")->isVisible());
+  ASSERT_TRUE(until([] { return comparison().shown() && comparison().shown()->done; }));
+  EXPECT_EQ(comparison().shown()->task.b->alpha, 0.93);
+  ASSERT_TRUE(goes_on());
+  EXPECT_EQ(alpha_of_newest(), live.alpha) << "the live partner keeps what it has";
+  press(Qt::Key_End);
+  ASSERT_TRUE(until([&] { return document.settings() == live; })) << "taken back";
+  EXPECT_FALSE(button("Use for the live partner, too")->isVisible());
+  EXPECT_TRUE(window().messages().text().contains("taken back"));
+  document.undoStack().undo();
+  EXPECT_EQ(document.settings().alpha, 0.93) << "and not lost";
+  EXPECT_TRUE(until([&] { return alpha_of_newest() == 0.93; }));
+  document.adopt(live, "as before");
+
+  ticker().step(-30);
+  turn();
+  document.changeSetting("alpha", "0.94");
+  QTest::mouseClick(button("Use for the live partner, too"), Qt::LeftButton);
+  EXPECT_TRUE(until([&] { return alpha_of_newest() == 0.94; }));
+  EXPECT_FALSE(document.triesOther());
+  press(Qt::Key_End);
+  turn();
+  EXPECT_EQ(document.settings().alpha, 0.94);
+  document.adopt(live, "as before");
 }
 
 TEST_F(HistoryInTheWindow, ATriedPinEndsWithTheSameKeyAndAtTheLiveEnd) {

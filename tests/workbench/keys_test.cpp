@@ -274,7 +274,7 @@ std::vector<KeyRow> program_rows() {
        [](auto&) { return window->takes().isPlaying(); }},
       {"CtrlR", Qt::Key_R, ctrl, end_take, [](auto&) { return takes().isRecording(); }},
       {"CtrlShiftR", Qt::Key_R, ctrl | shift, record_take, [](auto&) { return takes().isRecording(); }},
-      {"U", Qt::Key_U, none, nothing,
+      {"U", Qt::Key_U, none, [] { ticker().follow(); },  // on an older frame it is tried
        [](auto&) {
          const FrameSnapshotPtr newest = window->session()->latest().newest();
          return newest->settings.user_role == UserRole::Passive;

@@ -23,6 +23,7 @@
 #include "core/motion/bvh/bvh.hpp"
 #include "core/opening/session_material.hpp"
 #include "core/session/file/library_reference.hpp"
+#include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -348,6 +349,44 @@ TEST_F(ProjectActions, TakesAreRecordedIntoTheFileOfTheProjectAndItIsSavedMeanwh
   EXPECT_TRUE(window().session()->material().recorded);
   EXPECT_EQ(annotated(), 2U);
   EXPECT_EQ(takes().takes().all().size(), 1U);
+}
+
+/// The later save wiped the labels of the other.
+TEST_F(ProjectActions, ASessionThatIsOpenInAnotherWindowIsReadOnly) {
+  annotate(0.5, 1, "of the other window");
+  save_as("shared.abrazo");
+  const Project saved = *load_project(file("shared.abrazo").toStdString());
+  reopen([] { window().openDemo(); });
+  SessionHold other;
+  ASSERT_TRUE(other.take(file("shared.abrazo")));
+  reopen([] { window().openFiles({file("shared.abrazo")}); });
+  EXPECT_TRUE(window().messages().text().contains("read-only here"))
+      << window().messages().text().toStdString();
+  EXPECT_TRUE(window().windowTitle().startsWith("shared[*] (read-only)"))
+      << window().windowTitle().toStdString();
+  annotate(2, 3, "of this one");
+  save_as("shared.abrazo");
+  EXPECT_TRUE(window().messages().text().contains("choose another name"));
+  takes().toggle();
+  EXPECT_FALSE(takes().isRecording()) << "nor is a take recorded into it";
+  EXPECT_EQ(*load_project(file("shared.abrazo").toStdString()), saved);
+  save_as("mine.abrazo");
+  EXPECT_EQ(desk().file(), file("mine.abrazo"));
+  EXPECT_FALSE(window().windowTitle().contains("read-only")) << window().windowTitle().toStdString();
+  EXPECT_FALSE(is_modified());
+  SessionHold third;
+  EXPECT_FALSE(third.take(file("mine.abrazo"))) << "it is this window's now";
+}
+
+TEST_F(ProjectActions, WhatAnotherProgramSavedIsToldBeforeItIsSavedOver) {
+  save_as("changed.abrazo");
+  auto database = SessionDatabase::open(file("changed.abrazo").toStdString(), SessionDatabase::Access::Write);
+  ASSERT_TRUE(database &&
+              database->execute("UPDATE project SET value = '2999-01-01T00:00:00Z' WHERE key = 'saved_at'") &&
+              database->close());
+  annotate(2, 3, "first change");
+  EXPECT_TRUE(window().messages().text().contains("was saved by another window at 2999"))
+      << window().messages().text().toStdString();
 }
 
 TEST_F(UnsavedWork, NothingIsLostWithoutBeingAsked) {

@@ -1,9 +1,12 @@
 #include "widgets/common/parts.hpp"
 
+#include <QComboBox>
+#include <QFocusEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QTableView>
+#include <utility>
 
 #include "widgets/common/theme.hpp"
 
@@ -32,6 +35,27 @@ class EscapeOfField : public QObject {
   QWidget& m_list;
 };
 
+class SelectedByClick : public QObject {
+ public:
+  explicit SelectedByClick(QLineEdit& field) : QObject(&field), m_field(field) {
+    field.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::FocusIn)
+      m_isFirst = static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
+    if (event->type() == QEvent::MouseButtonRelease && std::exchange(m_isFirst, false) &&
+        !m_field.hasSelectedText())
+      m_field.selectAll();
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QLineEdit& m_field;
+  bool m_isFirst = false;
+};
+
 }  // namespace
 
 QLabel* quiet_label(const QString& text, QWidget* parent, int px) {
@@ -48,6 +72,12 @@ void describe(QWidget& widget, const QString& name, const QString& tip) {
 
 void leave_by_escape(QLineEdit& field, QWidget& list) {
   new EscapeOfField(field, list);
+}
+
+void make_typeable(QComboBox& box) {
+  box.setEditable(true);
+  box.setInsertPolicy(QComboBox::NoInsert);
+  new SelectedByClick(*box.lineEdit());
 }
 
 void make_rows(QTableView& table, int row_px) {

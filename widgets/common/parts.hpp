@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMargins>
 
+class QComboBox;
 class QLineEdit;
 class QTableView;
 
@@ -38,6 +39,9 @@ void describe(QWidget& widget, const QString& name, const QString& tip);
 
 /// Of a field that finds something: Escape empties it, and once more goes to the list of what was found.
 void leave_by_escape(QLineEdit& field, QWidget& list);
+
+/// Lets a person type what is not listed. A click selects all of it: what is typed replaces "as found".
+void make_typeable(QComboBox& box);
 
 /// Rows of this height without grid and numbers, chosen one at a time.
 void make_rows(QTableView& table, int row_px);

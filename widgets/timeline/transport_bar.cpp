@@ -84,8 +84,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_role->hide();
   m_livePin = button("Lift the pin of the live partner",
                      "You pinned a pair: the live partner uses it until you unpin it here");
-  m_triedPin = button("Pin the live partner, too",
-                      "Tried on the parked frame only: the live partner is not pinned. Click to pin it, too");
+  m_triedPin = button("Use for the live partner, too",
+                      "What you changed is tried on this frame only: the live partner keeps what it has, and "
+                      "going back to it takes the change back. Click to use it for the live partner, too");
   for (QToolButton* pin : {m_livePin, m_triedPin}) {
     pin->setFocusPolicy(Qt::TabFocus);
     pin->hide();
@@ -372,9 +373,7 @@ void TransportBar::showPins(bool live, bool tried) {
 void TransportBar::writePins() {
   const bool is_short = m_room == Room::ShortWords, is_shortest = m_room >= Room::ShortestWords;
   m_livePin->setText(is_shortest ? "pinned ✕" : is_short ? "live: pinned ✕" : "live: pinned by you ✕");
-  m_triedPin->setText(is_shortest ? "what if"
-                      : is_short  ? "what if: pinned"
-                                  : "what if: pinned · apply to live");
+  m_triedPin->setText(is_shortest ? "what if" : is_short ? "what if ✓" : "what if · use for live");
 }
 
 void TransportBar::setRoleMenu(QMenu* menu) {

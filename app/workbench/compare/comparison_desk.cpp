@@ -41,6 +41,7 @@ ComparisonDesk::ComparisonDesk(Document& document, FrameTicker& ticker, widgets:
   connect(&document, &Document::began, this, &ComparisonDesk::startSession);
   connect(&document, &Document::ending, this, &ComparisonDesk::endSession);
   connect(&document, &Document::libraryReplaced, this, &ComparisonDesk::endSession);  // solved anew with it
+  connect(&ticker, &FrameTicker::playbackAsked, this, &ComparisonDesk::tryWhereParked);
   connect(&ticker, &FrameTicker::playbackChanged, this, &ComparisonDesk::refresh);
   connect(&ticker, &FrameTicker::frameReady, this, &ComparisonDesk::showGhosts);
   connect(&panel, &ComparePanel::spanRequested, this, [this] {
@@ -72,12 +73,15 @@ void ComparisonDesk::endSession() {
 }
 
 void ComparisonDesk::freeze() {
-  setFrozen(m_document.settings());
+  const Settings live = m_document.liveSettings();
+  m_document.useTriedSettings();  // they are B now
+  setFrozen(live);
 }
 
 void ComparisonDesk::setFrozen(const std::optional<Settings>& settings) {
   if (!settings) setAside(false);
   m_frozen = settings;
+  tryWhereParked();
   const auto* history = m_ticker.history();
   m_frozenAt_s = history ? history->span().last_s : 0;
   ask(m_shadow, std::nullopt);
@@ -89,7 +93,7 @@ void ComparisonDesk::setFrozen(const std::optional<Settings>& settings) {
 void ComparisonDesk::setAside(bool on) {
   if (on && !m_frozen) freeze();
   m_isAside = on;
-  if (m_document.session()) m_document.session()->holdSettings(on);
+  m_document.setAside(on);
   emit asideChanged(on);
 }
 
@@ -104,9 +108,18 @@ CompareSituation ComparisonDesk::situation() const {
           m_panel.span(), m_document.triedPin()};
 }
 
-void ComparisonDesk::refresh() {
+void ComparisonDesk::tryWhereParked() {
   if (!m_document.session() || !m_ticker.history() || m_document.session()->looksElsewhere()) return;
-  if (m_ticker.playback().state == Playback::State::Following) m_document.tryPin({});
+  const Playback& playback = m_ticker.playback();
+  const bool looks_back = playback.is_live && playback.state != Playback::State::Following;
+  // Comparing with a frozen A says by itself which settings the live solver has.
+  m_document.setTries(looks_back && !m_frozen);
+  if (!looks_back) m_document.tryPin({});
+}
+
+void ComparisonDesk::refresh() {
+  tryWhereParked();
+  if (!m_document.session() || !m_ticker.history() || m_document.session()->looksElsewhere()) return;
   const CompareSituation now = situation();
   const double cursor_s = now.shown ? now.shown->time_s : 0;
   const bool is_moving = now.playback.state != Playback::State::Following && cursor_s != m_cursor_s;
@@ -129,7 +142,7 @@ void ComparisonDesk::plan(const CompareSituation& now) {
   if (!differs && !is_same) ask(m_shadow, std::nullopt);
   if (differs && !is_same && (!now.is_aside || is_at_rest)) ask(m_shadow, shadow);
 
-  if (!m_panel.isVisible() && !now.tried_pin) return ask(m_whatIf, std::nullopt);
+  if (!m_panel.isVisible() && !m_document.triesOther()) return ask(m_whatIf, std::nullopt);
   const auto what_if = what_if_task(now, m_whatIf.asked ? &*m_whatIf.asked : nullptr);
   const bool is_parked = now.playback.state == Playback::State::Parked;
   if (!what_if && is_parked) return ask(m_whatIf, std::nullopt);

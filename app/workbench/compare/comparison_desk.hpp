@@ -61,6 +61,7 @@ class ComparisonDesk : public QObject {
 
   void startSession();
   void endSession();
+  void tryWhereParked();
   void refresh();
   void plan(const CompareSituation& now);
   void ask(Work& work, const std::optional<ComparisonTask>& task);

@@ -162,7 +162,46 @@ bool Document::controlRole(RoleControl by) {
 void Document::tryPin(std::optional<int> pair) {
   if (pair == m_triedPin) return;
   m_triedPin = pair;
-  emit triedPinChanged();
+  emit triedChanged();
+}
+
+bool Document::triesOther() const {
+  return m_triedPin || (m_kept && *m_kept != settings());
+}
+
+void Document::holdSettings() {
+  if (m_session) m_session->holdSettings(m_isAside || m_kept);
+}
+
+void Document::setAside(bool on) {
+  m_isAside = on;
+  holdSettings();
+}
+
+void Document::setTries(bool on) {
+  if (on == m_kept.has_value()) return;
+  const bool takes_back = !on && triesOther();
+  if (takes_back) adopt(*m_kept, "back to the settings of the live partner");
+  m_kept = on ? std::optional(settings()) : std::nullopt;
+  holdSettings();
+  if (takes_back) emit triedTakenBack();
+  emit triedChanged();
+}
+
+void Document::useTriedSettings() {
+  if (!m_kept || *m_kept == settings()) return;
+  m_kept.reset();
+  holdSettings();  // lets them go
+  m_kept = settings();
+  holdSettings();
+  emit triedChanged();
+}
+
+void Document::useTriedPin() {
+  if (!m_triedPin) return;
+  const Decisions next = shownDecisions();
+  tryPin({});
+  change(next, "pin the live partner");
 }
 
 Decisions Document::shownDecisions() const {
@@ -207,6 +246,8 @@ void Document::beginSession(PreparedSolver prepared) {
   const bool same_library =
       m_session && m_session->material().library_of_files() == prepared.material.library_of_files();
   tryPin({});
+  m_kept.reset();
+  m_isAside = false;
   m_undo.clear();  // its steps are of the session that ends
   endSession();
   m_session = std::make_unique<LiveSession>(std::move(prepared));

@@ -70,10 +70,22 @@ class Document : public QObject {
   void noteSaved(const AnnotationBook& book) { m_live.note_saved(book); }
   /// Refused if the library lacks the annotations for it. @return whether it was done
   bool controlRole(RoleControl by);
-  /// A pair that is tried on the parked frame: solved again there, without effect on the live solver. None
-  /// ends it.
+  // What a person changes while a frame of a live session's past is shown is tried there: that frame is
+  // solved again, and the live solver keeps what it has until the change is used for it.
+
+  /// From now on settings are tried. @param on  false: those that were not used are taken back as an undo
+  /// step
+  void setTries(bool on);
+  /// None ends it.
   void tryPin(std::optional<int> pair);
   const std::optional<int>& triedPin() const { return m_triedPin; }
+  bool triesOther() const;
+  /// Those of the live solver, unless `setAside`.
+  const Settings& liveSettings() const { return m_kept ? *m_kept : settings(); }
+  void useTriedSettings();
+  void useTriedPin();
+  /// The live solver keeps its settings, whatever is changed.
+  void setAside(bool on);
   /// The decisions for the parked frame: those in force, with the tried pin.
   Decisions shownDecisions() const;
   /// Takes new decisions that a view requests. While parked, another pin is tried on the parked frame only.
@@ -103,7 +115,9 @@ class Document : public QObject {
   void opened();
   void changed(abrazo::ProjectPart part);
   void subjectChanged();
-  void triedPinChanged();
+  void triedChanged();
+  /// Settings that were only tried are those of the live solver again.
+  void triedTakenBack();
   void refused(const QString& why);
   void labelRefused(const QString& why);
   /// The active tier, the selected label or the conflict rule is another one.
@@ -122,6 +136,7 @@ class Document : public QObject {
   /// Does or undoes an edit. @return false, without a change, if it no longer applies
   bool apply(const ProjectEdit& edit, const ProjectValue& value);
   void announce(const LiveProject::Parts& parts);
+  void holdSettings();
   void tellSolver(ProjectPart part);
   void beginSession(PreparedSolver prepared);
   void openRecording(const RecordedSession& recorded);
@@ -136,6 +151,8 @@ class Document : public QObject {
   std::string m_subject;
   LabelSelection m_labels;
   std::optional<int> m_triedPin;
+  std::optional<Settings> m_kept;  ///< by the live solver while others are tried
+  bool m_isAside = false;
   std::unique_ptr<LiveSession> m_session;
   std::map<QString, std::unique_ptr<Job>> m_measuring;  ///< of bodies that settings are to have, by key
 };

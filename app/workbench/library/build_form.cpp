@@ -72,16 +72,13 @@ BuildForm::BuildForm(BuildPlanModel& model, QWidget* parent) : QWidget(parent), 
   grid->addWidget(start, 0, 6);
   grid->addWidget(m_start, 0, 7);
   for (const int column : {1, 3, 5, 7}) grid->setColumnStretch(column, 1);
-  m_take->setEditable(true);
+  for (QComboBox* box : {m_take, m_rate, m_unit}) widgets::make_typeable(*box);
   m_role->addItems({"either", "leads", "follows"});
-  m_rate->setEditable(true);
   m_rate->addItems({as_found, "30", "60", "100", "120", "240"});
-  m_unit->setEditable(true);
   m_unit->addItems({as_found, "1 · metres", "0.01 · centimetres", "0.001 · millimetres", "0.0254 · inches",
                     "0.056444444 · CMU"});
   m_up->addItem(as_found);
   for (const UpAxis up : every_up_axis) m_up->addItem(QString::fromStdString(axis_label(up)));
-  for (QComboBox* box : {m_take, m_rate, m_unit}) box->setInsertPolicy(QComboBox::NoInsert);
   connectParts();
   show({});
 }

@@ -118,8 +118,7 @@ QComboBox* ImportPanel::addField(QVBoxLayout* column, const QString& name, bool 
   label->setFixedWidth(82);
   auto* field = new QComboBox(box);
   field->setAccessibleName(name);
-  field->setEditable(editable);
-  field->setInsertPolicy(QComboBox::NoInsert);
+  if (editable) widgets::make_typeable(*field);
   field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   label->setBuddy(field);
   row->addWidget(label);

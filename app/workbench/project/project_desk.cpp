@@ -1,5 +1,6 @@
 #include "app/workbench/project/project_desk.hpp"
 
+#include <QApplication>
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
@@ -96,6 +97,9 @@ ProjectDesk::ProjectDesk(MainWindow& window, TakeDesk& takes)
     m_leftover.clear();
   });
   connect(&window.document(), &Document::changed, this, &ProjectDesk::refresh);
+  connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+    if (state == Qt::ApplicationActive) lookAtFile();
+  });
   connect(&m_soon, &QTimer::timeout, this, &ProjectDesk::keep);
   m_soon.setSingleShot(true);
   m_soon.setInterval(settle_ms);
@@ -137,10 +141,25 @@ void ProjectDesk::refresh() {
   if (modified != m_isModified) {
     m_isModified = modified;
     showTitle();
+    lookAtFile();
   }
   if (!m_asks) return;
   if (modified && !m_soon.isActive()) m_soon.start();
   if (!modified) m_soon.stop(), m_autosave.drop();
+}
+
+/// What another window saved meanwhile is told before a person saves over it.
+void ProjectDesk::lookAtFile() {
+  if (!m_hasSession || file().isEmpty() || m_job || !m_savedAt || !m_window.session() ||
+      m_window.session()->engine().recorder())
+    return;
+  const QDateTime changed = QFileInfo(file()).lastModified();
+  if (changed == std::exchange(m_fileSeen, changed)) return;
+  if (const std::string last = saved_at(file().toStdString()); !last.empty() && last != *m_savedAt)
+    m_window.messages().showWarnings(
+        {QString("%1 was saved by another window at %2. Open it again to see that, or save this one under "
+                 "another name")
+             .arg(QFileInfo(file()).fileName(), QString::fromStdString(last))});
 }
 
 void ProjectDesk::keep() {
@@ -154,7 +173,8 @@ void ProjectDesk::showTitle() {
   const QString input = QString::fromStdString(material.input.name);
   const QString library = QString::fromStdString(material.library->name());
   const QString what = name == input ? "with " + library : "— " + input + " with " + library;
-  m_window.setWindowTitle((name.isEmpty() ? "Untitled" : name) + "[*] " + what + " — Abrazo");
+  const QString state = m_takes.isReadOnly() ? " (read-only)" : "";
+  m_window.setWindowTitle((name.isEmpty() ? "Untitled" : name) + "[*]" + state + " " + what + " — Abrazo");
   m_window.setWindowModified(m_isModified);
   emit changed();
 }
@@ -167,7 +187,7 @@ bool ProjectDesk::hasTakes() const {
 
 void ProjectDesk::save() {
   if (!m_hasSession) return m_window.messages().showInformation("Nothing is open yet");
-  file().isEmpty() ? askSaveAs() : write(file());
+  file().isEmpty() || m_takes.isReadOnly() ? askSaveAs() : write(file());
 }
 
 QString ProjectDesk::askFile() {
@@ -210,6 +230,11 @@ std::optional<std::string> ProjectDesk::libraryFileFor(const QString& target) {
 /// Written by a worker; while the file is recorded by the recorder's thread, which holds it.
 void ProjectDesk::write(const QString& target) {
   if (m_job) return m_window.messages().showInformation("The session is already being saved");
+  if (SessionHold hold; target == file() ? m_takes.isReadOnly() : !hold.take(target)) {
+    const QString why = QFileInfo(target).fileName() + " is open in another window; choose another name";
+    m_window.messages().showErrorOf("save", why);
+    return emit notSaved(why);
+  }
   const auto library_file = libraryFileFor(target);
   if (!library_file) return;
   SessionToSave what;

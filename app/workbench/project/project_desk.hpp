@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QTimer>
 #include <functional>
@@ -72,6 +73,7 @@ class ProjectDesk : public QObject {
   /// @return none: do not save; else the file for the library, empty = not written
   std::optional<std::string> libraryFileFor(const QString& target);
   void onOpened();
+  void lookAtFile();
   /// @return whether it was written
   bool waitForSave();
   bool saveAndWait();
@@ -86,6 +88,7 @@ class ProjectDesk : public QObject {
   Autosave m_autosave;
   Project m_saved;
   std::optional<std::string> m_savedAt;  ///< by this window, or before it opened the file; none: unknown
+  QDateTime m_fileSeen;                  ///< of which change of the file `m_savedAt` is known
   std::vector<DataReference> m_carried;  ///< references to missing files, kept until they exist again
   bool m_asks = false, m_isModified = false, m_hasSession = false;
   bool m_isAhead = false;  ///< of its file from the start: restored, or opened with files at other places

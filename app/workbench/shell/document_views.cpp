@@ -25,11 +25,11 @@ using widgets::TimelineView;
 
 void show_part(MainWindow& window, ProjectPart part) {
   const Document& document = window.document();
+  window.transport().showPins(document.decisions().pinned.has_value(), document.triesOther());
   if (part == ProjectPart::Settings)
     window.settings().showSettings(document.settings(), document.live().preset());
   if (part == ProjectPart::Decisions) {
     window.candidates().showDecisions(document.shownDecisions());
-    window.transport().showPins(document.decisions().pinned.has_value(), document.triedPin().has_value());
     window.takes().setVetoedTakes(document.decisions().vetoes.takes);
   }
   if (part == ProjectPart::Markers) window.timeline().showMarkers(document.markers());
@@ -127,7 +127,7 @@ void show_document(MainWindow& window) {
             const bool is_parked = playback.is_live && playback.state == Playback::State::Parked;
             window.document().decide(next, what, is_parked && window.document().subject().empty());
           });
-  QObject::connect(&document, &Document::triedPinChanged, &window,
+  QObject::connect(&document, &Document::triedChanged, &window,
                    [&window] { show_part(window, ProjectPart::Decisions); });
   const auto run = std::make_shared<std::uint64_t>(0);
   QObject::connect(&document, &Document::began, &window, [&window, run] {

@@ -151,6 +151,7 @@ void FrameTicker::changed() {
   m_played_s = m_elapsed_s = 0;
   m_panelsNow = m_panelsNow || !m_scrubbing;
   if (m_history && !m_soon.isActive()) m_soon.start();
+  emit playbackAsked();
 }
 
 void FrameTicker::askForPanels() {

@@ -69,6 +69,8 @@ class FrameTicker : public QObject {
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
+  /// A request changed `playback()`, at once; frames of it are shown later.
+  void playbackAsked();
   /// In or out were set or cleared. @param drag  see setRange
   void endsChanged(const abrazo::Playback::Ends& before, const abrazo::Playback::Ends& after, int drag);
   /// Playing ended at once: the looped range has no frames.

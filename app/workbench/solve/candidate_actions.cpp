@@ -45,11 +45,9 @@ void lift_live_pin(Document& document) {
   document.change(next, "lift the live pin");
 }
 
-void apply_tried_pin(Document& document) {
-  if (!document.triedPin()) return;
-  const Decisions next = document.shownDecisions();
-  document.tryPin({});
-  document.change(next, "pin the live partner");
+void use_tried(Document& document) {
+  document.useTriedSettings();
+  document.useTriedPin();
 }
 
 }  // namespace
@@ -63,13 +61,18 @@ void add_candidate_actions(MainWindow& window) {
              [&table] { table.togglePin(); });
   Document& document = window.document();
   add_action(window, menu, "Lift the pin of the live partner", {}, [&document] { lift_live_pin(document); });
-  add_action(window, menu, "Pin the live partner as tried here", {},
-             [&document] { apply_tried_pin(document); });
+  add_action(window, menu, "Use what was tried here for the live partner", {},
+             [&document] { use_tried(document); });
+  QObject::connect(&document, &Document::triedTakenBack, &window, [&window] {
+    window.messages().showInformation(
+        "The settings that you tried on an older frame were taken back: the live partner did not have them. "
+        "Undo (Ctrl+Z) gives them to it");
+  });
   widgets::TransportBar& transport = window.transport();
   QObject::connect(&transport, &widgets::TransportBar::liftPinRequested, &document,
                    [&document] { lift_live_pin(document); });
   QObject::connect(&transport, &widgets::TransportBar::applyPinRequested, &document,
-                   [&document] { apply_tried_pin(document); });
+                   [&document] { use_tried(document); });
   add_action(window, menu, "Veto this candidate", {QKeySequence("V")},
              [&table] { table.toggleVeto(Reach::Pair); });
   add_action(window, menu, "Veto its take", {QKeySequence("Shift+V")},

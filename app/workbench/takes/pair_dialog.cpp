@@ -44,7 +44,7 @@ PairDialog::PairDialog(const PairCapture& capture, const QString& name, const QS
   m_leads->setToolTip(
       "Who is the active performer. Unknown keeps both assignments, and the pairs count twice");
   m_label = new QComboBox(this);
-  m_label->setEditable(true);
+  widgets::make_typeable(*m_label);
   m_label->addItems(QStringList{""} + labels);
   m_label->lineEdit()->setPlaceholderText("several, or none");
   m_label->setToolTip("The move of the whole take; empty if there are several");

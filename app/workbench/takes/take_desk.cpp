@@ -141,13 +141,24 @@ void TakeDesk::follow() {
   if (recorder) m_takes.follow(recorder->state().take_span);
 }
 
+/// Whether the file is another window's; then it says so.
+bool TakeDesk::refusesChange() {
+  if (!isReadOnly()) return false;
+  m_window.messages().showError(
+      QString("%1 is open in another window (%2) and read-only here; save it under another name first")
+          .arg(QFileInfo(m_file).fileName(), m_hold.holder()));
+  return true;
+}
+
 void TakeDesk::rename(std::int64_t id, const std::string& name) {
+  if (refusesChange()) return;
   m_takes.rename(id, name);
   writeEdits();
   showTakes();
 }
 
 void TakeDesk::remove(std::int64_t id) {
+  if (refusesChange()) return;
   m_takes.remove(id);
   showTakes();
 }
@@ -171,6 +182,7 @@ void TakeDesk::goTo(std::int64_t id) {
 bool TakeDesk::record() {
   SessionEngine& engine = m_window.session()->engine();
   if (engine.recorder()) return true;
+  if (refusesChange()) return false;
   if (m_file.isEmpty()) {
     const QString folder = sessions_folder();
     QDir().mkpath(folder);
@@ -180,6 +192,7 @@ bool TakeDesk::record() {
   const Status started = engine.record(m_file.toStdString(), facts());
   m_markersInFile.reset();
   if (started) {
+    m_hold.take(m_file);
     writeMarkers();
     emit fileChanged();
     return true;
@@ -199,7 +212,7 @@ void TakeDesk::stopRecorder(Afterwards afterwards) {
   m_lastState.file_bytes = recorder->state().file_bytes;
   m_lastState.behind_s = 0;
   const QString file = std::exchange(m_file, afterwards == Afterwards::Delete ? QString() : m_file);
-  if (m_file.isEmpty()) m_lastState = {};
+  if (m_file.isEmpty()) m_lastState = {}, m_hold.release();
   auto* job = new Job(
       [this, recorder, file, afterwards](const Progress&) -> Job::Finish {
         const Status written = recorder->finish();
@@ -302,7 +315,17 @@ void TakeDesk::setFile(const QString& file) {
   m_isForStream = false;
   m_lastState.file_bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
   update();
+  if (!m_hold.take(file))
+    m_window.messages().showWarnings(
+        {QString(
+             "%1 is open in another window (%2). It is read-only here: what you change can be saved under "
+             "another name")
+             .arg(QFileInfo(file).fileName(), m_hold.holder())});
   emit fileChanged();
+}
+
+bool TakeDesk::isReadOnly() {
+  return m_hold.isOfAnother() && !m_hold.take(m_file);
 }
 
 void TakeDesk::onSessionEnding() {
@@ -314,6 +337,7 @@ void TakeDesk::onSessionEnding() {
   m_sequence = {};
   m_takes = {};
   m_file.clear();
+  m_hold.release();
   m_lastState = {};
   m_toldFailure.clear();
   m_hasStream = false;
@@ -323,7 +347,7 @@ void TakeDesk::onSessionEnding() {
 
 /// On another thread: the disk may take its time, and the window does not wait for it.
 void TakeDesk::finishFile() {
-  if (m_file.isEmpty()) return;
+  if (m_file.isEmpty() || m_hold.isOfAnother()) return;
   const auto finish = [recorder = m_window.session()->engine().recorder(), earlier = m_finishing,
                        file = m_file.toStdString(), edits = m_takes.edits()] {
     if (earlier) (void)earlier->finish();  // its own job tells the result

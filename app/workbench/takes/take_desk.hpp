@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <optional>
 
+#include "app/workbench/takes/session_hold.hpp"
 #include "core/session/edit/session_takes.hpp"
 #include "core/session/edit/take_sequence.hpp"
 #include "core/session/run/recorder.hpp"
@@ -54,8 +55,11 @@ class TakeDesk : public QObject {
 
   /// File of the session; empty = none.
   const QString& file() const { return m_file; }
-  /// Continues the session in this file, which a person saved or opened. Not during recording.
+  /// Continues the session in this file, which a person saved or opened. Not during recording. If another
+  /// window has it open, it is read-only here, and a message says so.
   void setFile(const QString& file);
+  /// Whether another window has the file open, and this one must not change it. Asks again.
+  bool isReadOnly();
   /// The recorder of the file that a worker is finishing; null = none. The file can be written by others once
   /// finish() of it has returned.
   std::shared_ptr<Recorder> finishing() const { return m_finishing; }
@@ -82,6 +86,7 @@ class TakeDesk : public QObject {
   void beginTake();
   void endTake(bool stopsRecorder = true);
   bool record();
+  bool refusesChange();
   bool recordsStreams() const;
   enum class Afterwards { Keep, Delete };
   void stopRecorder(Afterwards afterwards = Afterwards::Keep);
@@ -107,6 +112,7 @@ class TakeDesk : public QObject {
   TakeSequence m_sequence;
   SessionTakes m_takes;
   QString m_file;
+  SessionHold m_hold;  ///< of `m_file`
   std::shared_ptr<Recorder> m_finishing;
   std::optional<Markers> m_markersInFile;  ///< last passed to the recorder; none = not yet
   Recorder::State m_lastState;

@@ -61,11 +61,6 @@ Result<std::uint64_t> save_in_place(const SessionToSave& what, const Project& pr
   return left_out;
 }
 
-std::string saved_at(const std::string& file) {
-  const auto reading = read_project(file);
-  return reading ? reading->saved_at : std::string();
-}
-
 Result<SavedSession> save_to(const SessionToSave& what, Project project, const Progress& progress) {
   const bool is_own = what.to == what.file;
   if (const std::string last = saved_at(what.to);
@@ -84,6 +79,11 @@ Result<SavedSession> save_to(const SessionToSave& what, Project project, const P
 }
 
 }  // namespace
+
+std::string saved_at(const std::string& file) {
+  const auto reading = read_project(file);
+  return reading ? reading->saved_at : std::string();
+}
 
 Result<SavedSession> save_session(const SessionToSave& what, const Progress& progress) {
   const bool with_library = !what.library_file.empty();

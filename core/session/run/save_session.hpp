@@ -39,6 +39,9 @@ struct SavedSession {
   std::uint64_t frames_left_out = 0;  ///< of the history: they could not be read
 };
 
+/// When a session file was saved last, as in it; empty if never, or if it cannot be read.
+std::string saved_at(const std::string& file);
+
 /// Writes each file completely or not at all. An Error if another window has saved the session since. If
 /// saving fails, a newly written library file is removed.
 Result<SavedSession> save_session(const SessionToSave& what, const Progress& progress);
