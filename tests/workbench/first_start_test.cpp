@@ -1,9 +1,17 @@
 // What a person sees who starts the program for the first time, in two sizes of the window.
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenuBar>
 #include <QSplitterHandle>
+#include <QTabBar>
 #include <QTableWidget>
 
 #include "app/workbench/document/live_session.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/layouts.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/work_split.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -11,6 +19,7 @@
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/selection_model.hpp"
+#include "widgets/common/value_slider.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/settings/setting_row.hpp"
@@ -46,6 +55,34 @@ class FirstStart : public DemoWindow {
   static bool all_lanes_in_view() {
     return window().timeline().height() >= window().timeline().sizeHint().height();
   }
+  /// The number of a slider is one with it.
+  static bool of_slider(const QWidget& field) {
+    return field.parentWidget()->findChild<widgets::ValueSlider*>() != nullptr;
+  }
+  /// What can be clicked and is in view: buttons, choices, sliders, fields, tabs and menus; a list is one.
+  static QStringList clickable() {
+    QStringList names;
+    for (const QAction* menu : window().menuBar()->actions())
+      if (menu->isVisible()) names << "menu " + menu->text();
+    for (const QWidget* each : window().findChildren<QWidget*>()) {
+      if (each->window() != &window() || each->visibleRegion().isEmpty()) continue;
+      const QString name = QString(each->metaObject()->className()) + " " + each->accessibleName() + " " +
+                           each->toolTip().section('\n', 0, 0).left(30);
+      if (const auto* tabs = qobject_cast<const QTabBar*>(each))
+        for (int tab = 0; tab < tabs->count(); ++tab) names << "tab " + tabs->tabText(tab);
+      const bool is_part = qobject_cast<const QComboBox*>(each->parentWidget()) ||
+                           qobject_cast<const QAbstractSpinBox*>(each->parentWidget()) ||
+                           qobject_cast<const QTabBar*>(each->parentWidget()) ||
+                           (qobject_cast<const QLineEdit*>(each) && of_slider(*each));
+      const bool is_one =
+          qobject_cast<const QAbstractButton*>(each) || qobject_cast<const QComboBox*>(each) ||
+          qobject_cast<const QLineEdit*>(each) || qobject_cast<const QAbstractSpinBox*>(each) ||
+          qobject_cast<const widgets::ValueSlider*>(each) ||
+          (qobject_cast<const QAbstractItemView*>(each) && !qobject_cast<const QHeaderView*>(each));
+      if (is_one && !is_part) names << name;
+    }
+    return names;
+  }
   static WorkSplit& split() { return *window().findChild<WorkSplit*>(); }
   static void drag_border(int by) {
     QSplitterHandle* border = split().handle(1);
@@ -64,6 +101,20 @@ TEST_F(FirstStart, FiveSettingsAndAllLanesAreInViewAt1600x1000) {
   EXPECT_GE(settings_in_view(), 5);
   EXPECT_GE(candidates_in_view(), 8);
   EXPECT_TRUE(all_lanes_in_view());
+}
+
+/// There were 95.
+TEST_F(FirstStart, EachTaskOffersWhatItNeeds) {
+  showWindow({1600, 1000}, false);  // a clip is what one starts with
+  window().openDemo();
+  ASSERT_TRUE(until([] { return ticker().shown() && ticker().shown()->index > 30; }));
+  EXPECT_LE(window().menuBar()->actions().size(), 9);
+  for (const QString& task : Layouts::builtIn()) {
+    ASSERT_TRUE(window().findChild<Layouts*>()->choose(task));
+    QTest::qWait(300);
+    const QStringList names = clickable();
+    EXPECT_LE(names.size(), 45) << task.toStdString() << "\n" << names.join("\n").toStdString();
+  }
 }
 
 TEST_F(FirstStart, FiveSettingsAreInViewAt1280x720) {

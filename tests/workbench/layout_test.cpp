@@ -116,7 +116,7 @@ TEST_F(Layout, APlotThatIsAddedIsSeen) {
   QTest::qWait(50);
   ASSERT_FALSE(panel("plots").isVisible()) << "the case needs a window without them";
   for (QAction* action : window().findChildren<QAction*>())
-    if (action->text() == "Add plot: energy") action->trigger();
+    if (action->text() == "Add plot…") action->trigger();
   EXPECT_TRUE(until([] { return panel("plots").isVisible(); }));
   EXPECT_GT(panel("plots").height(), 60);
 }

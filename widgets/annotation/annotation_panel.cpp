@@ -103,18 +103,17 @@ QWidget* AnnotationPanel::makeConflict() {
   auto* box = new QWidget(this);
   auto* row = new FlowRow(box, 4);
   row->addWidget(quiet_label("Overlapping labels", box, 12));
-  m_conflict = new QButtonGroup(this);
+  m_conflict = new QComboBox(box);
   const std::tuple<const char*, const char*, Conflict> ways[] = {
       {"trim", "Shortens existing labels; removes those that are covered", Conflict::Replace},
       {"push", "Moves existing labels and keeps their durations", Conflict::Push},
       {"refuse", "Draws nothing over existing labels", Conflict::Refuse}};
   for (const auto& [name, tip, way] : ways) {
-    QToolButton* each = chip(name, tip, box);
-    each->setCheckable(true);
-    each->setAccessibleName(QString("Overlapping labels: ") + name);
-    m_conflict->addButton(each, static_cast<int>(way));
-    row->addWidget(each);
+    m_conflict->addItem(name, static_cast<int>(way));
+    m_conflict->setItemData(m_conflict->count() - 1, tip, Qt::ToolTipRole);
   }
+  describe(*m_conflict, "Overlapping labels", "What happens to labels under a new one");
+  row->addWidget(m_conflict);
   return box;
 }
 
@@ -159,8 +158,8 @@ void AnnotationPanel::connectParts() {
   connect(m_subject, QOverload<int>::of(&QComboBox::activated), this,
           [this](int at) { emit subjectRequested(m_subject->itemData(at).toString()); });
   connect(m_back, &QToolButton::clicked, this, [this] { emit subjectRequested({}); });
-  connect(m_conflict, &QButtonGroup::idClicked, this,
-          [this](int way) { emit conflictRequested(static_cast<Conflict>(way)); });
+  connect(m_conflict, qOverload<int>(&QComboBox::activated), this,
+          [this] { emit conflictRequested(static_cast<Conflict>(m_conflict->currentData().toInt())); });
   connect(m_lists, &QButtonGroup::idClicked, this, &AnnotationPanel::showList);
   connect(m_tiers, &TierList::tierChosen, this, &AnnotationPanel::tierChosen);
   connect(m_tiers, &TierList::changeRequested, this, &AnnotationPanel::changeRequested);
@@ -223,7 +222,7 @@ void AnnotationPanel::show(const Shown& shown) {
   m_tiers->show(shown.annotations, shown.tier, shown.hidden);
   m_vocabulary->show(shown.annotations, shown.tier);
   m_problems->show(shown.annotations, shown.range, shown.fps);
-  m_conflict->button(static_cast<int>(shown.conflict))->setChecked(true);
+  m_conflict->setCurrentIndex(m_conflict->findData(static_cast<int>(shown.conflict)));
   const int count = m_problems->count();
   m_lists->button(2)->setText(count == 0 ? QString("Problems") : QString("Problems %1").arg(count));
   const AnnotationTier* tier = shown.annotations.tier(shown.tier);

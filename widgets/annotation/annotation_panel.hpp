@@ -89,7 +89,8 @@ class AnnotationPanel : public QWidget {
   QComboBox* m_subject = nullptr;
   QToolButton* m_back = nullptr;
   TierList* m_tiers = nullptr;
-  QButtonGroup *m_conflict = nullptr, *m_lists = nullptr;
+  QComboBox* m_conflict = nullptr;
+  QButtonGroup* m_lists = nullptr;
   QScrollArea* m_scroll = nullptr;
   QStackedWidget* m_stack = nullptr;
   QTableWidget* m_table = nullptr;

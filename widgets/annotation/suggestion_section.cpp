@@ -154,7 +154,10 @@ double SuggestionSection::threshold() const {
 void SuggestionSection::describe() {
   const int row = m_list->currentRow();
   const bool is_chosen = row >= 0 && row < static_cast<int>(m_rows.size());
-  for (QToolButton* button : {m_accept, m_edit, m_reject}) button->setEnabled(is_chosen);
+  for (QToolButton* button : {m_accept, m_edit, m_reject}) {
+    button->setEnabled(is_chosen);
+    button->setVisible(m_list->count() > 0);
+  }
   m_reason->setText(is_chosen ? text(m_rows[static_cast<std::size_t>(row)].reason)
                               : QString("There are no suggestions. They are made from labels and "
                                         "roles of the other takes."));

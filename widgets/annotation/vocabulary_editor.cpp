@@ -44,16 +44,18 @@ VocabularyEditor::VocabularyEditor(QWidget* parent)
   m_hint->setWordWrap(true);
   auto* row = nested_row({}, 4);
   auto* more = chip("+ Value", "Add a value", this);
+  m_used = chip("+ Used", "Add the values that labels of this tier have, and the vocabulary has not", this);
   m_remove = chip("Remove", "Remove the value; labels that have it stay", this);
   m_up = chip("↑", "Move the value up", this);
   m_down = chip("↓", "Move the value down", this);
-  for (QToolButton* each : {more, m_remove, m_up, m_down}) row->addWidget(each);
+  for (QToolButton* each : {more, m_used, m_remove, m_up, m_down}) row->addWidget(each);
   row->addStretch(1);
   // Above the table, which is taller than what is seen of a low panel.
   column->addLayout(row);
   column->addWidget(m_hint);
   column->addWidget(m_table, 1);
   connect(more, &QToolButton::clicked, this, &VocabularyEditor::add);
+  connect(m_used, &QToolButton::clicked, this, &VocabularyEditor::addUsed);
   connect(m_remove, &QToolButton::clicked, this, &VocabularyEditor::remove);
   connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
   connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
@@ -75,6 +77,28 @@ void VocabularyEditor::show(const Annotations& annotations, int tier) {
   m_annotations = annotations;
   m_tier = tier;
   if (!same) fill();
+  m_used->setEnabled(!usedOnly().empty());
+}
+
+std::vector<std::string> VocabularyEditor::usedOnly() const {
+  std::vector<std::string> used;
+  const AnnotationTier* tier = m_annotations.tier(m_tier);
+  if (!tier) return used;
+  for (const Annotation& label : tier->annotations)
+    if (!label.value.empty() && std::ranges::find(used, label.value) == used.end() &&
+        std::ranges::find(tier->vocabulary, label.value, &VocabularyEntry::value) == tier->vocabulary.end())
+      used.push_back(label.value);
+  return used;
+}
+
+void VocabularyEditor::addUsed() {
+  auto entries = vocabulary();
+  for (const std::string& value : usedOnly()) {
+    VocabularyEntry entry{value};
+    entry.key = free_key(entries);
+    entries.push_back(std::move(entry));
+  }
+  settle(std::move(entries), "add the used values");
 }
 
 std::vector<VocabularyEntry> VocabularyEditor::vocabulary() const {

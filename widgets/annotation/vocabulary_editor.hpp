@@ -31,6 +31,9 @@ class VocabularyEditor : public QWidget {
   void edited(QTableWidgetItem* item);
   void chooseColour(int row);
   void add();
+  void addUsed();
+  /// Of labels, and not in the vocabulary; each once, in order of time.
+  std::vector<std::string> usedOnly() const;
   void remove();
   void move(int by);
   void refuse(const QString& why);
@@ -44,7 +47,7 @@ class VocabularyEditor : public QWidget {
   bool m_filling = false;
   QTableWidget* m_table;
   QLabel* m_hint;
-  QToolButton *m_remove, *m_up, *m_down;
+  QToolButton *m_used, *m_remove, *m_up, *m_down;
 };
 
 }  // namespace abrazo::widgets

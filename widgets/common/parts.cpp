@@ -56,6 +56,26 @@ class SelectedByClick : public QObject {
   bool m_isFirst = false;
 };
 
+class ShownUnderPointer : public QObject {
+ public:
+  ShownUnderPointer(QWidget& area, QWidget& button, std::function<bool()> may)
+      : QObject(&button), m_button(button), m_may(std::move(may)) {
+    area.installEventFilter(this);
+    button.hide();
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Enter) m_button.setVisible(!m_may || m_may());
+    if (event->type() == QEvent::Leave) m_button.hide();
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QWidget& m_button;
+  std::function<bool()> m_may;
+};
+
 }  // namespace
 
 QLabel* quiet_label(const QString& text, QWidget* parent, int px) {
@@ -72,6 +92,13 @@ void describe(QWidget& widget, const QString& name, const QString& tip) {
 
 void leave_by_escape(QLineEdit& field, QWidget& list) {
   new EscapeOfField(field, list);
+}
+
+void show_under_pointer(QWidget& area, QWidget& button, std::function<bool()> may) {
+  QSizePolicy policy = button.sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  button.setSizePolicy(policy);
+  new ShownUnderPointer(area, button, std::move(may));
 }
 
 void make_typeable(QComboBox& box) {

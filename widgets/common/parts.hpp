@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QMargins>
+#include <functional>
 
 class QComboBox;
 class QLineEdit;
@@ -39,6 +40,11 @@ void describe(QWidget& widget, const QString& name, const QString& tip);
 
 /// Of a field that finds something: Escape empties it, and once more goes to the list of what was found.
 void leave_by_escape(QLineEdit& field, QWidget& list);
+
+/// Shows a button only while the pointer is over the area; its room stays. What it does must be reachable
+/// with the keyboard elsewhere.
+/// @param may  whether there is anything for it to do; by default always
+void show_under_pointer(QWidget& area, QWidget& button, std::function<bool()> may = {});
 
 /// Lets a person type what is not listed. A click selects all of it: what is typed replaces "as found".
 void make_typeable(QComboBox& box);

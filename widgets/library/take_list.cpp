@@ -19,6 +19,8 @@ constexpr int play_interval_ms = 15;
 constexpr const char* no_library =
     "No library. Open one (Ctrl+O), build one of motion files, or drop files here.";
 
+constexpr int few_takes = 6;  // are found without a field
+
 /// The panel keeps its width, and the scene beside it too, when the button changes its word.
 void keep_room_for(QToolButton& button, const QString& other) {
   const QString word = button.text();
@@ -280,8 +282,8 @@ void TakeList::showFoot() {
   const bool any = m_model->rowCount() > 0;
   m_empty->setVisible(!any || m_filter->rowCount() == 0);
   m_empty->setText(any ? "No take has “" + m_find->text() + "” in its name or moves." : no_library);
-  m_find->setEnabled(any);
-  m_order->setEnabled(any);
+  const bool are_many = m_model->rowCount() > few_takes;
+  for (QWidget* one : std::initializer_list<QWidget*>{m_find, m_order}) one->setVisible(are_many);
   const int take = any ? wanted() : -1;
   for (QToolButton* one : {m_play, m_dance, m_veto}) one->setEnabled(take >= 0);
   m_play->setText(isPlaying() ? "Stop" : "Play");

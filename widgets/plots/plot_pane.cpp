@@ -48,7 +48,8 @@ PlotPane::PlotPane(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   m_menu->setObjectName("flat");
   m_menu->setText("⋯");
-  m_menu->setFocusPolicy(Qt::TabFocus);
+  m_menu->setFocusPolicy(Qt::NoFocus);  // the menu key opens the same
+  show_under_pointer(*this, *m_menu);
   connect(m_menu, &QToolButton::clicked, this,
           [this] { emit menuRequested(m_menu->mapToGlobal(QPoint(0, m_menu->height()))); });
   setUpPlot();

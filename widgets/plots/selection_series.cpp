@@ -49,7 +49,7 @@ PaneSeries series_of(const Selection& selection) {
     case SelectionKind::Joints:
       return {JointResidual, JointFromUser, JointFromSelected};
     case SelectionKind::Edge:
-      return {EdgeLength, EdgeReference};
+      return {EdgeLength, EdgeReference, EdgeResidual};
     case SelectionKind::Tetrahedron:
       return {CellRatio};
     case SelectionKind::Candidate:

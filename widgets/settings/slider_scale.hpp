@@ -56,8 +56,12 @@ struct SliderScale {
     if (whole_numbers) return std::clamp(std::round(value), minimum, maximum);
     const double scale = logarithmic ? std::abs(value) : maximum - minimum;
     if (!(scale > 0)) return value;
-    const double digit = std::pow(10.0, std::floor(std::log10(scale)) - 2);
-    return std::clamp(std::round(value / digit) * digit, minimum, maximum);
+    const double decimals = 2 - std::floor(std::log10(scale));
+    // A division by a power of ten is the nearest double; a product with 0.01 is 0.6900000000000001.
+    const double power = std::pow(10.0, std::abs(decimals));
+    const double nearest =
+        decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
+    return std::clamp(nearest, minimum, maximum);
   }
 };
 

@@ -24,6 +24,7 @@ std::string action_id(std::string_view menu, std::string_view text) {
   // A feature's ids are its own, wherever its menu stands.
   for (const std::string_view below : {"Timeline > Play", "Solve > Compare", "View > Plots", "View > Video"})
     if (menu.starts_with(below)) menu.remove_prefix(below.find("> ") + 2);
+  if (menu == "Timeline > Lanes") menu = "Timeline";
   return slug(menu) + "." + slug(text);
 }
 

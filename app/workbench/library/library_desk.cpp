@@ -123,6 +123,8 @@ void LibraryDesk::offer(const QStringList& files) {
       if (!is_taken) return;
       m_window.openMaterial([material](const Progress&) -> Result<Material> { return material; }, m_videos,
                             MainWindow::AsksToLeave::Asked);
+      if (!material.library_file.empty())
+        m_window.noteOpened({QString::fromStdString(material.library_file)});
       end();
     });
     connect(m_build, &LibraryBuild::userChosen, this, end);

@@ -60,14 +60,6 @@ void add_recent_actions(MainWindow& window) {
   QObject::connect(&window, &MainWindow::filesOpened, recent, [&window](const QStringList& opened) {
     window.remembered().setRecent(with_recent(window.remembered().recent(), opened));
   });
-  add_action(window, files, "Open the last file again", {}, [&window] {
-    const QStringList entries = window.remembered().recent();
-    entries.isEmpty() ? window.messages().showInformation("Nothing has been opened yet")
-                      : open_recent(window, entries.front());
-  });
-  QAction* again = files->actions().back();
-  files->removeAction(again);
-  files->insertAction(files->actions().value(2), again);
 }
 
 }  // namespace abrazo::app

@@ -22,7 +22,7 @@ QMenu* menu_in(Bar& bar, const QString& title) {
 
 /// The menu that has this one, or the bar: more than nine titles there are not taken in at a glance.
 QString menu_above(const QString& title) {
-  return title == "Play"                        ? "Timeline"
+  return title == "Play" || title == "Lanes"    ? "Timeline"
          : title == "Compare"                   ? "Solve"
          : title == "Plots" || title == "Video" ? "View"
                                                 : "";

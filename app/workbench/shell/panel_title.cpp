@@ -26,13 +26,14 @@ PanelTitle::PanelTitle(widgets::SectionHeader* header, QDockWidget* panel)
   m_more->setMenu(makeMenu());
   m_more->setPopupMode(QToolButton::InstantPopup);
   connect(m_close, &QToolButton::clicked, this, &PanelTitle::closeRequested);
+  for (QToolButton* each : {m_more, m_close}) widgets::show_under_pointer(*this, *each);
 }
 
 QToolButton* PanelTitle::button(const QString& what) {
   auto* made = new QToolButton(this);
   made->setObjectName("quiet");
   made->setFixedSize(20, 20);
-  made->setFocusPolicy(Qt::TabFocus);
+  made->setFocusPolicy(Qt::NoFocus);  // View > Panels does the same with the keyboard
   widgets::describe(*made, what + m_panel->windowTitle(), what + m_panel->windowTitle());
   return made;
 }

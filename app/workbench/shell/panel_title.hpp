@@ -14,7 +14,7 @@ class SectionHeader;
 
 namespace abrazo::app {
 
-/// The title bar of a panel: name, menu of places, and close button.
+/// The title bar of a panel: name, and under the pointer a menu of places and a close button.
 class PanelTitle : public QWidget {
   Q_OBJECT
  public:

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QBuffer>
+#include <QCursor>
 #include <QDateTime>
 #include <QMenu>
 
@@ -10,6 +11,7 @@
 #include "app/workbench/shell/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/plots/plot_menu.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -48,17 +50,13 @@ void choose_export(MainWindow& window, PlotExport what) {
 
 void add_panes(MainWindow& window, QMenu* menu) {
   PlotPanel& plots = window.plots();
-  for (const std::string_view group : widgets::series_groups()) {
-    const QString name = QString::fromUtf8(group.data(), static_cast<int>(group.size())).toLower();
-    add_action(window, menu, "Add plot: " + name, {}, [&window, &plots, group] {
-      const int before = plots.paneCount();
-      window.panels().want("plots", true);
-      plots.addPane(widgets::usual_series(group));
-      if (plots.paneCount() == before)
-        window.messages().showInformation(
-            QString("There are %1 plots already; remove one first").arg(before));
-    });
-  }
+  add_action(window, menu, "Add plot…", {}, [&window, &plots] {
+    window.panels().want("plots", true);
+    auto* choice = new QMenu(&window);
+    choice->setAttribute(Qt::WA_DeleteOnClose);
+    widgets::fill_new_pane_menu(*choice, plots);
+    choice->popup(QCursor::pos());
+  });
   add_action(window, menu, "Default plots", {}, [&plots] { plots.restoreUsual(); });
 }
 

@@ -137,7 +137,7 @@ void add_lane_actions(MainWindow& window) {
   menu->addSeparator();
   add_formats(window, menu);
   menu->addSeparator();
-  add_lanes(window, menu);
+  add_lanes(window, menu_of(window, "Lanes"));
   QObject::connect(&window.transport(), &TransportBar::placeEntryRequested, &window,
                    [&window] { ask_place(window); });
   QObject::connect(&window.transport(), &TransportBar::speedEntryRequested, &window,

@@ -39,6 +39,8 @@ LatencyDesk::LatencyDesk(MainWindow& window, const StreamDesk& stream)
   });
   window.colour(m_button);
   connect(&window.document(), &Document::ending, this, [this] { m_log.clear(); });
+  connect(&window.document(), &Document::opened, this,
+          [this] { m_button->setVisible(!m_window.session()->material().is_clip()); });
   connect(&window.ticker(), &FrameTicker::panelsDue, this, &LatencyDesk::refresh);
   connect(&window.scene(), &widgets::SceneView::pictureDrawn, this, &LatencyDesk::pictureDrawn);
 }

@@ -406,7 +406,7 @@ widgets::RecordingStatus TakeDesk::status() const {
   status.failure = disk.failure;
   status.lost = disk.lost;
   status.is_everything_kept = m_window.remembered().keepsEverything();
-  status.can_record = true;
+  status.can_record = !m_window.session()->material().is_clip();
   return status;
 }
 

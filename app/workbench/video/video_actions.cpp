@@ -26,13 +26,12 @@ void choose(MainWindow& window, VideoDesk& desk) {
 }
 
 /// Before existing entries, so that the actions for opening stay together.
-QAction* add_to_file_menu(MainWindow& window, VideoDesk& desk) {
+void add_to_file_menu(MainWindow& window, VideoDesk& desk) {
   QMenu* file = menu_of(window, "File");
   QAction* open = add_action(window, file, "Open video…", {}, [&window, &desk] { choose(window, desk); });
   file->removeAction(open);
   const auto entries = file->actions();
   file->insertAction(entries.size() > 1 ? entries[1] : nullptr, open);
-  return open;
 }
 
 void add_stepping(MainWindow& window, QMenu* menu, VideoDesk& desk) {
@@ -87,10 +86,8 @@ void add_video_actions(MainWindow& window, RenderDialog& dialog) {
   QObject::connect(&panel, &widgets::VideoPanel::openRequested, desk,
                    [&window, desk] { choose(window, *desk); });
   QObject::connect(&window, &MainWindow::videosOffered, desk, &VideoDesk::open);
-  QAction* open = add_to_file_menu(window, *desk);
+  add_to_file_menu(window, *desk);
   QMenu* menu = menu_of(window, "Video");
-  menu->addAction(open);  // who looks for videos looks here as well
-  menu->addSeparator();
   add_stepping(window, menu, *desk);
   add_camera(window, menu, *desk, *camera);
   add_action(window, menu, "Close the video", {}, [desk] { desk->close(); });

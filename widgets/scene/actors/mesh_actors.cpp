@@ -54,9 +54,8 @@ void MeshActors::show(const FrameResult& result, const MeshLook& look) {
   for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through})
     lines->setVisible(showsEdges(ScenePart::MeshBetween));
   m_within.setVisible(showsEdges(ScenePart::MeshWithin));
-  // With a filter by length the shown edges change with every pose.
-  if (m_stale || result.edges != m_edges || !look.filter.is_open() || m_filtered)
-    rebuildEdges(result, look.filter);
+  // With a filter by length or value the shown edges change with every pose.
+  if (m_stale || result.edges != m_edges || !look.filter.is_open() || m_filtered) rebuildEdges(result, look);
   m_stale = false;
   m_filtered = !look.filter.is_open();
   const std::span<const double> points(result.result.data(), pair_vertex_count * 3);
@@ -66,7 +65,7 @@ void MeshActors::show(const FrameResult& result, const MeshLook& look) {
   showCells(result, look);
 }
 
-void MeshActors::rebuildEdges(const FrameResult& result, const MeshFilter& filter) {
+void MeshActors::rebuildEdges(const FrameResult& result, const MeshLook& look) {
   m_edges = result.edges;
   m_between.clear();
   m_shown_edges.clear();
@@ -75,7 +74,10 @@ void MeshActors::rebuildEdges(const FrameResult& result, const MeshFilter& filte
   for (std::size_t e = 0; e < m_edges.size(); ++e) {
     const bool joins = is_inter_body(m_edges[e]);
     m_between_count += joins;
-    if (!filter.passes(result.result, m_edges[e])) continue;
+    if (!look.filter.passes(result.result, m_edges[e])) continue;
+    const double share = e < look.scalars.size() ? look.scalars[e] / look.scale.upper
+                                                 : std::numeric_limits<double>::quiet_NaN();
+    if (!look.filter.passes_share(share)) continue;
     if (joins) m_between.push_back(e);
     (joins ? between : within).push_back({m_edges[e][0], m_edges[e][1]});
     if (showsEdges(joins ? ScenePart::MeshBetween : ScenePart::MeshWithin))

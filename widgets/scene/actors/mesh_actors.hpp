@@ -39,7 +39,7 @@ class MeshActors {
   int invertedCount() const { return m_inverted; }
 
  private:
-  void rebuildEdges(const FrameResult& result, const MeshFilter& filter);
+  void rebuildEdges(const FrameResult& result, const MeshLook& look);
   void colourEdges(const MeshLook& look);
   void showCells(const FrameResult& result, const MeshLook& look);
   bool showsEdges(ScenePart part) const;

@@ -12,6 +12,7 @@
 
 #include "widgets/common/entry_frame.hpp"
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/qt_versions.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
@@ -133,7 +134,8 @@ ScalarLegend::ScalarLegend(QWidget* parent)
           [this] { showMenu(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
   setColours(palette_of(Theme::Dark));
   m_lock->hide();  // there is no scale before the first frame
-  m_more->hide();
+  show_under_pointer(*this, *m_more,
+                     [this] { return !m_isPicture && (!m_scale.is_diverging || m_scale.upper > 0); });
 }
 
 void ScalarLegend::setColours(const Palette& palette) {
@@ -170,7 +172,6 @@ void ScalarLegend::show(const LegendScale& scale) {
   if (scale == m_scale) return;
   m_scale = scale;
   m_lock->setVisible(!m_isPicture);
-  m_more->setVisible(!m_isPicture && (!scale.is_diverging || scale.upper > 0));
   setFixedHeight(scale.lacks_values ? height_with_key : plain_height);
   update();
 }

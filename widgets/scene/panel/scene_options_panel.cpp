@@ -40,6 +40,10 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   form->setContentsMargins(14, 12, 14, 12);
   m_shortest = length("Shortest edge", "Hide edges that are shorter");
   m_longest = length("Longest edge", "Hide edges that are longer");
+  m_least =
+      share("Least value", "Hide edges whose coloured value is lower, in percent of the legend's upper end");
+  m_most = share("Highest value",
+                 "Hide edges whose coloured value is higher, in percent of the legend's upper end");
   m_isolates = tick("Only the selection (X)",
                     "While something is selected, only the edges and tetrahedra that belong to it");
   m_apart = slider(this, "Exploded tetrahedra", 0, apart_steps);
@@ -60,6 +64,8 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   m_trail->setSuffix(" s");
   form->addRow("Shortest edge", m_shortest);
   form->addRow("Longest edge", m_longest);
+  form->addRow("Least value", m_least);
+  form->addRow("Highest value", m_most);
   form->addRow(m_isolates);
   form->addRow("Exploded tetrahedra", withValue(m_apart, m_apartValue));
   form->addRow(m_cuts, m_inWorld);
@@ -68,7 +74,7 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   form->addRow("Tilt", withValue(m_tilt, m_tiltValue));
   form->addRow("Trails", m_trail);
   const auto ask = [this] { emit optionsRequested(asked()); };
-  for (QDoubleSpinBox* box : {m_shortest, m_longest, m_trail})
+  for (QDoubleSpinBox* box : {m_shortest, m_longest, m_least, m_most, m_trail})
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, ask);
   for (QToolButton* one : {m_isolates, m_cuts, m_inWorld}) connect(one, &QToolButton::toggled, this, ask);
   for (QSlider* one : {m_apart, m_cut, m_turn, m_tilt}) {
@@ -112,7 +118,8 @@ bool SceneOptionsPanel::event(QEvent* event) {
 }
 
 std::vector<QWidget*> SceneOptionsPanel::fields() const {
-  return {m_shortest, m_longest, m_trail, m_isolates, m_cuts, m_inWorld, m_apart, m_cut, m_turn, m_tilt};
+  return {m_shortest, m_longest, m_least, m_most, m_trail, m_isolates,
+          m_cuts,     m_inWorld, m_apart, m_cut,  m_turn,  m_tilt};
 }
 
 QToolButton* SceneOptionsPanel::tick(const QString& text, const QString& tip) {
@@ -134,10 +141,23 @@ QDoubleSpinBox* SceneOptionsPanel::length(const QString& name, const QString& ti
   return box;
 }
 
+QDoubleSpinBox* SceneOptionsPanel::share(const QString& name, const QString& tip) {
+  auto* box = new QDoubleSpinBox(this);
+  box->setRange(0, 100);
+  box->setSingleStep(5);
+  box->setDecimals(0);
+  box->setSuffix(" % of the legend");
+  describe(*box, name, tip);
+  return box;
+}
+
 SceneOptions SceneOptionsPanel::asked() const {
   SceneOptions options = m_options;
   options.shortest_m = m_shortest->value();
   options.longest_m = m_longest->value() >= longest_m ? MeshFilter::no_limit : m_longest->value();
+  options.least_share = m_least->value() / 100;
+  // The legend's upper end is open: what is beyond it has its colour.
+  options.most_share = m_most->value() >= 100 ? MeshFilter::no_limit : m_most->value() / 100;
   options.isolates = m_isolates->isChecked();
   options.apart = static_cast<double>(m_apart->value()) / 100;
   options.cuts = m_cuts->isChecked();
@@ -157,6 +177,8 @@ void SceneOptionsPanel::setOptions(const SceneOptions& options) {
   for (QWidget* one : fields()) one->blockSignals(true);
   m_shortest->setValue(options.shortest_m);
   m_longest->setValue(std::min(options.longest_m, longest_m));
+  m_least->setValue(100 * options.least_share);
+  m_most->setValue(100 * std::min(options.most_share, 1.0));
   m_isolates->setChecked(options.isolates);
   m_apart->setValue(static_cast<int>(std::lround(100 * options.apart)));
   m_cuts->setChecked(options.cuts);

@@ -31,11 +31,12 @@ class SceneOptionsPanel : public QFrame {
   SceneOptions asked() const;
   QToolButton* tick(const QString& text, const QString& tip);
   QDoubleSpinBox* length(const QString& name, const QString& tip);
+  QDoubleSpinBox* share(const QString& name, const QString& tip);
 
   SceneOptions m_options;
   std::vector<QWidget*> fields() const;
 
-  QDoubleSpinBox *m_shortest, *m_longest, *m_trail;
+  QDoubleSpinBox *m_shortest, *m_longest, *m_least, *m_most, *m_trail;
   QToolButton *m_isolates, *m_cuts, *m_inWorld;
   QSlider *m_apart, *m_cut, *m_turn, *m_tilt;
   QLabel *m_apartValue, *m_cutValue, *m_turnValue, *m_tiltValue;

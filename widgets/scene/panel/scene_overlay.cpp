@@ -1,6 +1,7 @@
 #include "widgets/scene/panel/scene_overlay.hpp"
 
-#include <QButtonGroup>
+#include <QActionGroup>
+#include <QMenu>
 #include <QPainter>
 #include <QScreen>
 #include <QToolButton>
@@ -26,7 +27,22 @@ QToolButton* overlay_chip(const QString& text, const QString& tip, QWidget* pare
 }  // namespace
 
 ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
-  auto* group = new QButtonGroup(this);
+  m_colour = text_chip({}, "What colours the edges of the mesh, and its tetrahedra", this);
+  m_colour->setAccessibleName("Colour of the mesh");
+  m_colour->setCursor(Qt::PointingHandCursor);
+  m_colour->setPopupMode(QToolButton::InstantPopup);
+  m_colour->setMenu(makeColours());
+  sayColour();
+  m_betweenOnly = overlay_chip("Inter-body only", "Show only the edges between the two bodies", this);
+  connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
+  m_filter = overlay_chip(
+      "Filter…", "Edges by length or of the selection, exploded tetrahedra, cutting plane, trails", this);
+  m_options = new SceneOptionsPanel(this);
+  connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
+  connect(m_filter, &QToolButton::clicked, this, &ScalarChips::openFilter);
+}
+
+QMenu* ScalarChips::makeColours() {
   const std::array<std::array<const char*, 2>, mesh_scalar_count> texts = {
       {{"Residual",
         "How far each neighbourhood is bent from the selected pair: |δ − L(v′)|, mean of an edge's ends"},
@@ -37,26 +53,30 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
         "Share of the deformation energy E_L (Eq. 11): what each vertex has, split among its edges by "
         "weight; "
         "all edges add up to 100 %"}}};
+  auto* menu = new QMenu(m_colour);
+  menu->setToolTipsVisible(true);
+  auto* group = new QActionGroup(menu);
   for (std::size_t s = 0; s < texts.size(); ++s) {
-    m_scalars[s] = overlay_chip(texts[s][0], texts[s][1], this);
-    group->addButton(m_scalars[s]);
-    connect(m_scalars[s], &QToolButton::clicked, this,
+    m_scalars[s] = group->addAction(menu->addAction(QString::fromUtf8(texts[s][0])));
+    m_scalars[s]->setCheckable(true);
+    m_scalars[s]->setToolTip(QString::fromUtf8(texts[s][1]));
+    connect(m_scalars[s], &QAction::triggered, this,
             [this, s] { emit scalarChosen(static_cast<MeshScalar>(s)); });
   }
   m_scalars[0]->setChecked(true);
-  m_cells = overlay_chip(
-      "Volume ratio",
+  menu->addSeparator();
+  m_cells = menu->addAction("Volume ratio of the tetrahedra", this, &ScalarChips::cellsChosen);
+  m_cells->setCheckable(true);
+  m_cells->setToolTip(
       "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
-      "magenta with a rim: inverted",
-      this);
-  connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);
-  m_betweenOnly = overlay_chip("Inter-body only", "Show only the edges between the two bodies", this);
-  connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
-  m_filter = overlay_chip(
-      "Filter…", "Edges by length or of the selection, exploded tetrahedra, cutting plane, trails", this);
-  m_options = new SceneOptionsPanel(this);
-  connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
-  connect(m_filter, &QToolButton::clicked, this, &ScalarChips::openFilter);
+      "magenta with a rim: inverted");
+  return menu;
+}
+
+void ScalarChips::sayColour() {
+  for (const QAction* scalar : m_scalars)
+    if (scalar->isChecked())
+      m_colour->setText(scalar->text() + (m_cells->isChecked() ? " + volume ▾" : " ▾"));
 }
 
 /// Below the chips, in the left third of the scene and over what is left of it: in the middle is the pair
@@ -101,16 +121,13 @@ void ScalarChips::say(bool is_short) {
   const auto say = [is_short](QToolButton* button, const char* whole, const char* brief) {
     button->setText(QString::fromUtf8(is_short ? brief : whole));
   };
-  say(m_scalars[static_cast<std::size_t>(MeshScalar::LengthChange)], "Length change", "Length");
-  say(m_cells, "Volume ratio", "Volume");
   say(m_betweenOnly, "Inter-body only", "Inter-body");
   say(m_filter, "Filter…", "Filter");
 }
 
 /// As many beside one another as there is room for.
 std::vector<std::vector<QToolButton*>> ScalarChips::inRows(int width_px) const {
-  std::vector<QToolButton*> all(m_scalars.begin(), m_scalars.end());
-  all.insert(all.end(), {m_cells, m_betweenOnly, m_filter});
+  const std::vector<QToolButton*> all = {m_colour, m_betweenOnly, m_filter};
   std::vector<std::vector<QToolButton*>> rows;
   int x = 0;
   for (QToolButton* chip : all) {
@@ -127,6 +144,7 @@ std::vector<std::vector<QToolButton*>> ScalarChips::inRows(int width_px) const {
 
 void ScalarChips::setScalar(MeshScalar scalar) {
   m_scalars[static_cast<std::size_t>(scalar)]->setChecked(true);
+  sayColour();
 }
 void ScalarChips::setBetweenOnly(bool only) {
   m_betweenOnly->setChecked(only);
@@ -134,6 +152,7 @@ void ScalarChips::setBetweenOnly(bool only) {
 
 void ScalarChips::setCells(bool shown) {
   m_cells->setChecked(shown);
+  sayColour();
 }
 
 void ScalarChips::setOptions(const SceneOptions& options) {

@@ -8,13 +8,15 @@
 #include "widgets/scene/values/mesh_scalar.hpp"
 #include "widgets/scene/values/scene_options.hpp"
 
+class QAction;
+class QMenu;
 class QToolButton;
 
 namespace abrazo::widgets {
 
 class SceneOptionsPanel;
 
-/// Chips that choose what colours the mesh.
+/// Chips that choose what colours the mesh, and which of it is shown.
 class ScalarChips : public QWidget {
   Q_OBJECT
  public:
@@ -36,11 +38,14 @@ class ScalarChips : public QWidget {
 
  private:
   void openFilter();
+  QMenu* makeColours();
   void say(bool is_short);
+  void sayColour();
   std::vector<std::vector<QToolButton*>> inRows(int width_px) const;
 
-  std::array<QToolButton*, mesh_scalar_count> m_scalars{};
-  QToolButton *m_cells, *m_betweenOnly, *m_filter;
+  std::array<QAction*, mesh_scalar_count> m_scalars{};
+  QAction* m_cells = nullptr;
+  QToolButton *m_colour, *m_betweenOnly, *m_filter;
   SceneOptionsPanel* m_options;
   SceneOptions m_shown;
 };

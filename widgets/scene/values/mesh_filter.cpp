@@ -1,6 +1,7 @@
 #include "widgets/scene/values/mesh_filter.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace abrazo::widgets {
 namespace {
@@ -31,6 +32,11 @@ bool is_wanted(const MeshFilter& filter, const Item& item) {
 
 bool MeshFilter::passes(const PairPose& pair, const MeshEdge& edge) const {
   return is_wanted(*this, edge) && has_length(*this, pair, edge[0], edge[1]);
+}
+
+bool MeshFilter::passes_share(double share) const {
+  if (least_share <= 0 && most_share == no_limit) return true;
+  return std::abs(share) >= least_share && std::abs(share) <= most_share;
 }
 
 bool MeshFilter::passes(const PairPose& pair, const MeshTetrahedron& cell) const {

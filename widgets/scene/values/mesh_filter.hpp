@@ -16,10 +16,14 @@ struct MeshFilter {
   double longest_m = no_limit;
   Selection isolated;             ///< only this item, or items at its joints; empty = all
   std::vector<Selection> hidden;  ///< these items, or items at their joints
+  /// Of the coloured value, without its sign, as a share of the legend's upper end; of edges only.
+  double least_share = 0, most_share = no_limit;
 
   bool operator==(const MeshFilter&) const = default;
   bool is_open() const { return *this == MeshFilter{}; }
   bool passes(const PairPose& pair, const MeshEdge& edge) const;
+  /// An edge without a value passes if nothing is asked of it.
+  bool passes_share(double share) const;
   /// A cell passes if the length of every edge passes and it belongs to the isolated item.
   bool passes(const PairPose& pair, const MeshTetrahedron& cell) const;
 };

@@ -16,7 +16,8 @@ enum class ColourMap { Viridis, Cividis };
 
 /// Display options of the scene; `PartVisibility` has the visible parts.
 struct SceneOptions {
-  double shortest_m = 0, longest_m = MeshFilter::no_limit;  ///< of the edges that are shown
+  double shortest_m = 0, longest_m = MeshFilter::no_limit;    ///< of the edges that are shown
+  double least_share = 0, most_share = MeshFilter::no_limit;  ///< of their value, see MeshFilter
   bool isolates = false;  ///< shows only items of the selection, if there is one
   double apart = 0;       ///< displacement of cells from the middle, share of their distance
   bool cuts = false;      ///< clips everything nearer to the eye than a plane
@@ -59,8 +60,10 @@ struct SceneOptions {
     cut_elevation_rad = std::asin(std::clamp(normal.y(), -1.0, 1.0));
     cut_at = point - cut_m * direction_of(cut_azimuth_rad, cut_elevation_rad);
   }
-  bool filters() const {
-    return shortest_m > 0 || longest_m < MeshFilter::no_limit || isolates || apart > 0 || cuts;
+  bool filters() const { return filters_edges() || isolates || apart > 0 || cuts; }
+  bool filters_edges() const {
+    return shortest_m > 0 || longest_m < MeshFilter::no_limit || least_share > 0 ||
+           most_share < MeshFilter::no_limit;
   }
 };
 

@@ -41,8 +41,9 @@ MeshLook SceneView::Parts::look() {
     look.doublings = cell_range.upper();
     cell_legend->show(volume_legend(look.doublings));
   }
-  look.filter = {options.shortest_m, options.longest_m, options.isolates ? picker.selected() : Selection{},
-                 hidden};
+  look.filter = {
+      options.shortest_m,  options.longest_m, options.isolates ? picker.selected() : Selection{}, hidden,
+      options.least_share, options.most_share};
   look.apart = options.apart;
   return look;
 }
@@ -262,10 +263,10 @@ void SceneView::updateFacts() {
     first.whole += " · " + whole;
     first.brief += " · " + brief;
   };
-  if (steps > 1) add("morph step " + way, "step " + way);
+  if (step + 1 < steps) add("morph step " + way, "step " + way);
   p.morph->showStep(step, steps, way);
-  const bool filters = p.options.shortest_m > 0 || p.options.longest_m < MeshFilter::no_limit ||
-                       (p.options.isolates && selection().is_of_mesh()) || !p.hidden.empty();
+  const bool filters =
+      p.options.filters_edges() || (p.options.isolates && selection().is_of_mesh()) || !p.hidden.empty();
   if (filters) {
     const QString edges =
         QString("%1 of %2 edges").arg(p.actors.mesh().shownEdges().size()).arg(result.edges.size());
@@ -282,7 +283,7 @@ void SceneView::updateFacts() {
     if (!label.empty())
       second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
-  if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0)
+  if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0 && p.shows(ScenePart::Tetrahedra))
     add(QString("%1 of %2 tetrahedra inverted").arg(inverted).arg(result.tetrahedra.size()),
         QString("%1 inverted").arg(inverted));
   p.facts->show(first, second,
