@@ -369,7 +369,10 @@ TEST(Palette, KnowsAMoveHoweverItIsWritten) {
   const Palette& p = palette_of(Theme::Dark);
   EXPECT_EQ(label_colour(p, "open_hold"), QColor("#5aa9e6"));
   EXPECT_EQ(label_colour(p, "Cross body lead"), QColor("#e1a23b"));
-  EXPECT_EQ(label_colour(p, "unheard of"), QColor("#59616e"));
+  EXPECT_EQ(label_colour(p, "basic"), QColor("#59616e"));
+  EXPECT_NE(label_colour(p, "unheard of"), label_colour(p, "basic"));
+  EXPECT_NE(label_colour(p, "unheard of"), label_colour(p, "jab"));
+  EXPECT_EQ(label_colour(p, "Low kick"), label_colour(p, "low_kick"));
 }
 
 }  // namespace

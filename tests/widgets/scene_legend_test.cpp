@@ -89,7 +89,7 @@ TEST(ScalarLegend, HasNoButtonsInAPicture) {
     return seen;
   };
   legend.show(scalar_legend(MeshScalar::Residual, {20}, false));
-  EXPECT_EQ(buttons(), 2);
+  EXPECT_EQ(buttons(), 1) << "the other one comes under the pointer";
   legend.becomePicture();
   EXPECT_EQ(buttons(), 0);
   legend.show(scalar_legend(MeshScalar::Residual, {40}, false));

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "widgets/common/chip.hpp"
+#include "widgets/common/flow_row.hpp"
 #include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -42,16 +43,16 @@ VocabularyEditor::VocabularyEditor(QWidget* parent)
   m_table->setFrameShape(QFrame::NoFrame);
   m_hint = quiet_label({}, this, 11);
   m_hint->setWordWrap(true);
-  auto* row = nested_row({}, 4);
+  auto* buttons = new QWidget(this);
+  auto* row = new FlowRow(buttons, 4);
   auto* more = chip("+ Value", "Add a value", this);
   m_used = chip("+ Used", "Add the values that labels of this tier have, and the vocabulary has not", this);
   m_remove = chip("Remove", "Remove the value; labels that have it stay", this);
   m_up = chip("↑", "Move the value up", this);
   m_down = chip("↓", "Move the value down", this);
   for (QToolButton* each : {more, m_used, m_remove, m_up, m_down}) row->addWidget(each);
-  row->addStretch(1);
   // Above the table, which is taller than what is seen of a low panel.
-  column->addLayout(row);
+  column->addWidget(buttons);
   column->addWidget(m_hint);
   column->addWidget(m_table, 1);
   connect(more, &QToolButton::clicked, this, &VocabularyEditor::add);

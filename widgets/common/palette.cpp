@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "core/base/text.hpp"
@@ -71,7 +72,14 @@ QColor label_colour(const Palette& palette, std::string_view label) {
   for (const auto& [move, colour] : moves)
     if (name.find(move) != std::string::npos)
       return palette.dark ? QColor(colour) : QColor(colour).darker(112);
-  return QColor("#59616e");
+  if (name.empty() || name.find("basic") != std::string::npos) return QColor("#59616e");
+  // A move that is none of these has a colour by its name, the same in every session (FNV-1a).
+  static const std::array<const char*, 8> others = {"#d279b8", "#8fb84a", "#c98a5b", "#6f8fe8",
+                                                    "#c7b23f", "#59b5c9", "#b06bd1", "#d9776a"};
+  std::uint32_t hash = 2166136261u;
+  for (const char letter : name) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
+  const QColor colour(others[hash % others.size()]);
+  return palette.dark ? colour : colour.darker(112);
 }
 
 QColor take_colour(const Palette& palette, int take) {

@@ -274,6 +274,7 @@ void TakeList::goToSource() {
 }
 
 void TakeList::find() {
+  m_find->show();
   m_find->setFocus(Qt::TabFocusReason);
   m_find->selectAll();
 }
@@ -283,7 +284,8 @@ void TakeList::showFoot() {
   m_empty->setVisible(!any || m_filter->rowCount() == 0);
   m_empty->setText(any ? "No take has “" + m_find->text() + "” in its name or moves." : no_library);
   const bool are_many = m_model->rowCount() > few_takes;
-  for (QWidget* one : std::initializer_list<QWidget*>{m_find, m_order}) one->setVisible(are_many);
+  m_order->setVisible(are_many);
+  m_find->setVisible(are_many || m_find->hasFocus() || !m_find->text().isEmpty());
   const int take = any ? wanted() : -1;
   for (QToolButton* one : {m_play, m_dance, m_veto}) one->setEnabled(take >= 0);
   m_play->setText(isPlaying() ? "Stop" : "Play");

@@ -176,7 +176,9 @@ void TakePanel::dress() {
            m_status.phase == Phase::Recording      ? "Stop recording"
            : m_status.phase == Phase::CountingDown ? "Cancel the countdown"
                                                    : "Record a take",
-           busy ? "Ctrl+R" : "Record a take (Ctrl+R)");
+           !m_status.can_record ? "A take is recorded of a live performer: connect a stream first"
+           : busy               ? "Ctrl+R"
+                                : "Record a take (Ctrl+R)");
   m_record->setStyleSheet(
       QString("QPushButton { background: %1; color: %2; border: 2px solid %3; border-radius: 6px; }"
               "QPushButton:hover, QPushButton:focus { border-color: %4; }"
@@ -194,14 +196,13 @@ void TakePanel::setTakes(const RecordedTakes& takes) {
 }
 
 void TakePanel::showStatus(const RecordingStatus& status) {
-  const bool look = status.phase != m_status.phase;
+  const bool look = status.phase != m_status.phase || status.can_record != m_status.can_record;
   m_status = status;
   if (look) dress();
   m_record->setEnabled(status.can_record);
   m_again->setEnabled(status.can_record && !m_takes.empty());
   m_saveAs->setEnabled(!status.file.empty());
   m_pair->setEnabled(status.can_record);
-  m_everything->setEnabled(status.can_record);
   m_everything->setChecked(status.is_everything_kept);
   const QString length = QString::fromStdString(duration_text(status.elapsed_s));
   m_elapsed->setText(status.phase == Phase::Recording      ? "● " + length

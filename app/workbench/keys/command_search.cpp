@@ -29,6 +29,18 @@ QAction* find_action(QMainWindow& window, const QString& text) {
   return nullptr;
 }
 
+constexpr const char* last_use = "last use";  ///< property of an action: number of the use, later is higher
+
+void note_use(QAction& action) {
+  static int uses = 0;
+  action.setProperty(last_use, ++uses);
+}
+
+/// Before anything is typed: the commands used last, then those that have a key.
+int likelihood(const QAction& action) {
+  return 2 * action.property(last_use).toInt() + (action.shortcut().isEmpty() ? 1 : 2);
+}
+
 /// The enabled actions that answer what was typed, best first, with their present keys; all of them while
 /// nothing is typed.
 void fill(const QMainWindow& window, QStandardItemModel& model, const QString& typed) {
@@ -36,7 +48,7 @@ void fill(const QMainWindow& window, QStandardItemModel& model, const QString& t
   for (const QAction* action : window.actions()) {
     if (action->text().isEmpty() || action->isSeparator() || !action->isEnabled()) continue;
     const int match = typed.trimmed().isEmpty()
-                          ? 1
+                          ? likelihood(*action)
                           : command_match(typed, action->objectName(), action->text(), menu_path(*action));
     if (match > 0) found.emplace_back(match, action);
   }
@@ -116,6 +128,8 @@ void add_command_search(QMainWindow& window) {
   auto* completer = new QCompleter(model, field);
   completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);  // the model has what answers
   completer->setMaxVisibleItems(12);
+  completer->popup()->setMinimumWidth(420);  // wider than the field: a command has its key beside it
+  QObject::connect(window.menuBar(), &QMenuBar::triggered, field, [](QAction* action) { note_use(*action); });
   completer->popup()->setItemDelegate(new CommandRow(completer->popup()));
   field->setCompleter(completer);
   new FillOnFocus(window, field, model);
@@ -135,6 +149,7 @@ void add_command_search(QMainWindow& window) {
           *runs = false;
           field->clear();
           field->clearFocus();
+          note_use(*action);
           action->trigger();
         },
         Qt::QueuedConnection);

@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMenu>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QTabBar>
 
@@ -115,9 +114,7 @@ Layouts& add_layout_actions(MainWindow& window) {
 
 void restore_last_layout(MainWindow& window, Layouts& layouts) {
   window.restoreGeometry(window.remembered().geometry());
-  if (const QScreen* screen = window.screen())
-    window.resize(window.size().boundedTo(screen->availableSize()));
-  bring_onto_screen(window);
+  fit_onto_screen(window);
   layouts.restoreLast();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QGuiApplication>
 #include <QScreen>
+#include <QStyle>
 #include <QWidget>
 #include <algorithm>
 
@@ -24,6 +25,19 @@ void bring_onto_screen(QWidget& window) {
   const QRect room = screens.front()->availableGeometry();
   window.resize(window.size().boundedTo(room.size()));
   window.move(room.center() - window.rect().center());
+}
+
+void fit_onto_screen(QWidget& window) {
+  bring_onto_screen(window);
+  if (!window.screen()) return;
+  const QRect room = window.screen()->availableGeometry();
+  // A window that was never shown does not know its frame yet.
+  const QSize frame = (window.frameGeometry().size() - window.size())
+                          .expandedTo({0, window.style()->pixelMetric(QStyle::PM_TitleBarHeight)});
+  window.resize(window.size().boundedTo(room.size() - frame));
+  const QSize whole = window.size() + frame;
+  window.move(std::clamp(window.x(), room.left(), room.right() + 1 - whole.width()),
+              std::clamp(window.y(), room.top(), room.bottom() + 1 - whole.height()));
 }
 
 }  // namespace abrazo::app

@@ -55,10 +55,6 @@ Result<std::vector<NamedMotion>> read_acclaim(const fs::path& file, const std::s
   if (!asf) return asf.error();
   Result<NamedMotion> motion = read_asf_amc(*asf, chosen->string(), amc, file.string());
   if (!motion) return motion.error();
-  if (skeleton.empty())
-    motion->warnings.push_back(
-        {"skeleton", 0,
-         "no skeleton was named; " + chosen->filename().string() + " beside the motion was taken"});
   return std::vector<NamedMotion>{std::move(*motion)};
 }
 

@@ -252,7 +252,7 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
 
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
-  const int buttons = m_isPicture ? 0 : m_more->isVisibleTo(this) ? 2 : 1;
+  const int buttons = m_isPicture ? 0 : !m_scale.is_diverging || m_scale.upper > 0 ? 2 : 1;
   const QRectF ends(bar.left(), 39, bar.width() - buttons * lock_size, 20);
   draw_tabular(painter, ends, Qt::AlignRight, m_scale.high);
   draw_tabular(painter, ends, Qt::AlignLeft, m_scale.low);

@@ -420,8 +420,11 @@ QRect SceneView::noticeRoom() const {
   constexpr int least_width = 320, gap = 6;
   const Parts& p = *m_parts;
   const ScalarLegend* lowest = p.cell_legend->isHidden() ? p.legend : p.cell_legend;
-  const int left = p.chips->x(), beside = p.legend->x() - 8 - left,
-            chips_end = p.chips->geometry().bottom() + gap;
+  const int left = p.chips->x(), chips_end = p.chips->geometry().bottom() + gap;
+  // Between chips and legend, above the heads, where there is room.
+  const int after = p.chips->geometry().right() + 8, between = p.legend->x() - 8 - after;
+  if (between >= least_width) return {after, p.chips->y(), between, height() - p.chips->y()};
+  const int beside = p.legend->x() - 8 - left;
   if (beside >= least_width) return {left, chips_end, beside, height() - chips_end};
   const int top = std::max(chips_end, lowest->geometry().bottom() + gap);
   return {left, top, width() - 2 * left, height() - top};
