@@ -164,6 +164,20 @@ TEST(MeshFilter, KeepsToARangeOfLengthsWithItsEnds) {
   EXPECT_FALSE(lengths(0, 1.99).passes(pair, corner_cell)) << "one edge of the cell is too long";
 }
 
+TEST(MeshFilter, KeepsToARangeOfTheColouredValueWithoutItsSign) {
+  MeshFilter filter;
+  EXPECT_TRUE(filter.passes_share(std::nan(""))) << "nothing is asked of it";
+  filter.least_share = 0.5;
+  EXPECT_TRUE(filter.passes_share(0.5));
+  EXPECT_TRUE(filter.passes_share(-0.7));
+  EXPECT_TRUE(filter.passes_share(3)) << "beyond the legend";
+  EXPECT_FALSE(filter.passes_share(0.49));
+  EXPECT_FALSE(filter.passes_share(std::nan("")));
+  filter.most_share = 0.8;
+  EXPECT_FALSE(filter.passes_share(0.81));
+  EXPECT_FALSE(filter.is_open());
+}
+
 TEST(MeshFilter, KeepsToWhatMeetsAtAJoint) {
   const MeshFilter filter = isolating(Selection::joint(30));
   EXPECT_TRUE(filter.passes(corner_pair(1), MeshEdge{0, 30}));

@@ -33,6 +33,18 @@ TEST(SceneOptionsPanel, AsksForWhatIsSetAndLeavesTheRest) {
   EXPECT_EQ(asked.navigation, NavigationStyle::Maya);
 }
 
+TEST(SceneOptionsPanel, AsksForARangeOfValuesInShareOfTheLegend) {
+  SceneOptionsPanel panel(nullptr);
+  SceneOptions asked;
+  QObject::connect(&panel, &SceneOptionsPanel::optionsRequested,
+                   [&asked](const SceneOptions& options) { asked = options; });
+  for (auto* box : panel.findChildren<QDoubleSpinBox*>())
+    if (box->accessibleName() == "Least value") box->setValue(45);
+  EXPECT_DOUBLE_EQ(asked.least_share, 0.45);
+  EXPECT_EQ(asked.most_share, MeshFilter::no_limit) << "the upper end is open";
+  EXPECT_TRUE(asked.filters());
+}
+
 TEST(SceneOptionsPanel, SaysTheValueBesideEachSlider) {
   SceneOptionsPanel panel(nullptr);
   SceneOptions options;

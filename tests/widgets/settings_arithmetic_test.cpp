@@ -57,6 +57,14 @@ TEST(SettingHelp, IsFoundByAnyOfItsWords) {
   EXPECT_TRUE(matches(*find_setting("velocity-weight"), "w_delta")) << "Greek letters are hard to type";
 }
 
+/// 0.69 was 0.6900000000000001, and so the settings lane said.
+TEST(SliderScale, ValuesAreTheNearestOfTheirDecimals) {
+  const SliderScale plain{0, 2, false, false}, wide{0, 5000, false, false};
+  for (int hundredth = 0; hundredth <= 200; ++hundredth)
+    EXPECT_EQ(plain.value(hundredth / 200.0), hundredth / 100.0);
+  EXPECT_EQ(wide.value(0.5), 2500);
+}
+
 TEST(SliderScale, KeysGoThroughWholeNumbersOneByOneAlsoWhereTheScaleIsLogarithmic) {
   const SliderScale scale{1, 200, true, true};
   EXPECT_EQ(scale.stepped(10, 1), 11);

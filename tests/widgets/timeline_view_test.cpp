@@ -395,12 +395,7 @@ TEST_F(Timeline, TakesAreBlocksAndADoubleClickAsksForOne) {
   EXPECT_EQ(asked[0][0].toLongLong(), 3);
 }
 
-TEST_F(Timeline, TheUsersRoleHasALaneOfItsOwn) {
-  TimelineLanes lanes = view.lanes();
-  EXPECT_FALSE(lanes.is_shown(TimelineLane::UserRole)) << "until it is switched";
-  lanes.set_shown(TimelineLane::UserRole, true);
-  view.setLanes(lanes);
-  view.resize(900, view.sizeHint().height());
+TEST_F(Timeline, KnowsSinceWhenTheUserHasARole) {
   ASSERT_EQ(view.tracks().user_roles().size(), 2U);
   EXPECT_NEAR(view.tracks().user_roles()[1].from_s, 200.0 / 30, 1e-6);
 }

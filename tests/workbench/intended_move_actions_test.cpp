@@ -63,7 +63,6 @@ TEST_F(IntendedMoveActions, TheRoleIsSwitchedByKeyAndShown) {
   press(Qt::Key_U);
   EXPECT_TRUE(until([] { return newest()->settings.user_role == UserRole::Passive; }));
   EXPECT_TRUE(until([] { return window().transport().roleText().startsWith("user follows"); }));
-  EXPECT_TRUE(window().timeline().lanes().is_shown(widgets::TimelineLane::UserRole));
   EXPECT_TRUE(until([] {
     const auto& roles = window().timeline().tracks().user_roles();
     return !roles.empty() && roles.back().key == 0;

@@ -562,6 +562,20 @@ TEST_F(Layout, AWindowOutsideEveryScreenIsBroughtBack) {
   EXPECT_EQ(lost.geometry(), before);
 }
 
+/// The status bar was below the screen.
+TEST_F(Layout, AWindowAsLargeAsTheScreenHasItsFrameOnIt) {
+  const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
+  QWidget large;
+  large.setGeometry(QRect(room.topLeft() + QPoint(0, 30), room.size()));
+  fit_onto_screen(large);
+  EXPECT_TRUE(room.contains(large.geometry()));
+  EXPECT_LT(large.height(), room.height());
+  QWidget small;
+  small.setGeometry(QRect(room.topLeft() + QPoint(40, 40), QSize(300, 200)));
+  fit_onto_screen(small);
+  EXPECT_EQ(small.geometry(), QRect(room.topLeft() + QPoint(40, 40), QSize(300, 200)));
+}
+
 TEST(WindowLayout, IsTheSameAfterWritingAndReading) {
   WindowLayout layout;
   layout.docks = QByteArray("\0\1\2", 3);

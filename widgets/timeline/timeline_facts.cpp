@@ -84,9 +84,8 @@ QString take_facts(const TimelineContent& content, double time_s) {
 QString user_role_facts(const TimelineContent& content, double time_s) {
   const auto* role = interval_at(content.tracks.user_roles(), time_s);
   if (!role) return {};
-  return QString("<b>The user %1</b><br>since %2")
-      .arg(role->key == 1 ? "leads, the partner follows" : "follows, the partner leads",
-           clock_at(role->from_s));
+  return QString("<br>the user's role is to %1 since %2")
+      .arg(role->key == 1 ? "lead" : "follow", clock_at(role->from_s));
 }
 
 }  // namespace
@@ -109,7 +108,6 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   if (on_lane && lane == TimelineLane::Settings) return settings_facts(content, place.x());
   if (on_lane && lane == TimelineLane::Markers) return marker_facts(content, time_s);
   if (on_lane && lane == TimelineLane::Takes) return take_facts(content, time_s);
-  if (on_lane && lane == TimelineLane::UserRole) return user_role_facts(content, time_s);
   if (time_s < content.playback.first_s)
     return time_s < 0 ? QString()
                       : QString("Dropped: the memory for frames is full, and they are not on disk");
@@ -119,6 +117,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   if (on_lane && lane == TimelineLane::Cost)
     facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost",
                           content.tracks.is_by_intent_at(time_s) ? "m" : "m²");
+  if (on_lane && lane == TimelineLane::Role) facts += user_role_facts(content, time_s);
   if (on_lane && lane == TimelineLane::Energy)
     facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy", "m²");
   if (time_s < content.memory_first_s && !content.lanes.is_of_take()) facts += "<br><i>on disk</i>";

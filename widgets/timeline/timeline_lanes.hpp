@@ -12,8 +12,8 @@
 namespace abrazo::widgets {
 
 /// The computed rows of the timeline, from the top.
-enum class TimelineLane { Source, Moves, Role, UserRole, Cost, Energy, Settings, Takes, Markers };
-inline constexpr int timeline_lane_count = 9;
+enum class TimelineLane { Source, Moves, Role, Cost, Energy, Settings, Takes, Markers };
+inline constexpr int timeline_lane_count = 8;
 
 struct TimelineLaneInfo {
   std::string_view name;
@@ -25,7 +25,6 @@ inline constexpr std::array<TimelineLaneInfo, timeline_lane_count> timeline_lane
     {"Source", 27, true, true},
     {"Moves", 27, true, false},
     {"Role", 27, true, false},
-    {"User is", 20, false, false},
     {"Cost", 27, true, false},
     {"Energy", 27, false, false},
     {"Settings", 20, true, false},

@@ -47,7 +47,6 @@ class Painting {
     sources();
     blocks(TimelineLane::Moves, c.tracks.moves());
     blocks(TimelineLane::Role, c.tracks.leaders());
-    blocks(TimelineLane::UserRole, c.tracks.user_roles());
     curve(TimelineLane::Cost, c.tracks.costs(), colours.user);
     curve(TimelineLane::Energy, c.tracks.energies(), colours.energy_deformation);
     settings();
@@ -159,9 +158,6 @@ class Painting {
       const bool user = key == static_cast<int>(Leader::User);
       look.edge = user ? colours.active : colours.passive;
       look.name = user ? "user leads" : "partner leads";
-    } else if (which == TimelineLane::UserRole) {
-      look.edge = key == 1 ? colours.active : colours.passive;
-      look.name = key == 1 ? "active" : "passive";
     } else {
       look.edge = label_colour(colours, key < 0 ? std::string_view() : c.tracks.label(key));
       if (key >= 0) look.name = text(c.tracks.label(key)).replace('_', ' ');

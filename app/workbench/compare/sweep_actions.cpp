@@ -100,16 +100,7 @@ void connect_run(MainWindow& window, SweepPanel& panel, SweepRun& run) {
     panel.setRunning(false);
     panel.showEstimate(words, true);
   });
-  // Its window may be behind or closed meanwhile.
-  widgets::MessageBar& messages = window.messages();
-  QObject::connect(&run, &SweepRun::progressed, &messages, [&messages](double fraction, const QString&) {
-    messages.showProgress("Sweeping two settings", fraction);
-  });
-  QObject::connect(&messages, &widgets::MessageBar::cancelRequested, &run, &SweepRun::cancel);
-  QObject::connect(&run, &SweepRun::ended, &messages, [&messages](const QString& words) {
-    messages.endProgress();
-    messages.showInformation("Sweep: " + words);
-  });
+  tell_progress(run, window.messages());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/range_words.hpp"
 #include "core/evaluation/run/library_data.hpp"
+#include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -181,6 +182,17 @@ void SweepRun::end(const QString& words) {
   if (m_job) m_job->disconnect(this);
   Job::retire(std::move(m_job), this);
   emit ended(words);
+}
+
+void tell_progress(SweepRun& run, widgets::MessageBar& messages) {
+  QObject::connect(&run, &SweepRun::progressed, &messages, [&messages](double fraction, const QString&) {
+    messages.showProgress("Sweeping two settings", fraction);
+  });
+  QObject::connect(&messages, &widgets::MessageBar::cancelRequested, &run, &SweepRun::cancel);
+  QObject::connect(&run, &SweepRun::ended, &messages, [&messages](const QString& words) {
+    messages.endProgress();
+    if (!words.isEmpty()) messages.showInformation("Sweep: " + words);
+  });
 }
 
 }  // namespace abrazo::app

@@ -11,6 +11,10 @@
 #include "widgets/sweep/sweep_grid.hpp"
 #include "widgets/sweep/sweep_request.hpp"
 
+namespace abrazo::widgets {
+class MessageBar;
+}
+
 namespace abrazo::app {
 
 class Job;
@@ -60,5 +64,8 @@ class SweepRun : public QObject {
   int m_run = 0;  ///< distinguishes points of this run from late ones of the previous
   std::unique_ptr<Job> m_job;
 };
+
+/// Of a sweep whose window may be behind or closed meanwhile: its progress, and what it came to.
+void tell_progress(SweepRun& run, widgets::MessageBar& messages);
 
 }  // namespace abrazo::app

@@ -119,6 +119,7 @@ void Document::choosePreset(const QString& name, bool own) {
 
 void Document::adopt(const Settings& settings, const QString& what) {
   change(m_live.with_settings(settings), what);
+  useTriedSettings();
 }
 
 void Document::changeMarkers(const Markers& next, const QString& what) {
@@ -181,7 +182,7 @@ void Document::setAside(bool on) {
 void Document::setTries(bool on) {
   if (on == m_kept.has_value()) return;
   const bool takes_back = !on && triesOther();
-  if (takes_back) adopt(*m_kept, "back to the settings of the live partner");
+  if (takes_back) change(m_live.with_settings(*m_kept), "back to the settings of the live partner");
   m_kept = on ? std::optional(settings()) : std::nullopt;
   holdSettings();
   if (takes_back) emit triedTakenBack();

@@ -46,6 +46,7 @@ class Document : public QObject {
   /// thread, and set when that is done unless the setting is changed again before.
   void changeSetting(const QString& key, const QString& text, int gesture = 0);
   void choosePreset(const QString& name, bool own = false);
+  /// For the live solver as well, while others are tried.
   void adopt(const Settings& settings, const QString& what);
   /// Markers of the shown subject.
   void changeMarkers(const Markers& next, const QString& what);

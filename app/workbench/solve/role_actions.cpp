@@ -29,31 +29,23 @@ void show_role(MainWindow& window, const FrameSnapshot& frame) {
   window.transport().showRole(frame.settings.user_role == UserRole::Active, words_of(by));
 }
 
-void show_lane(MainWindow& window) {
-  widgets::TimelineLanes lanes = window.timeline().lanes();
-  lanes.set_shown(widgets::TimelineLane::UserRole, true);
-  window.timeline().setLanes(lanes);
-}
-
 /// To the other role than the newest frame's; from then on the hand decides.
 void exchange(MainWindow& window) {
   if (!window.session()) return window.messages().showInformation("Nothing is open yet");
   Document& document = window.document();
   const FrameSnapshotPtr newest = window.session()->engine().latest().newest();
-  const UserRole now = newest ? newest->settings.user_role : document.settings().user_role;
+  const UserRole now =
+      newest && !document.triesOther() ? newest->settings.user_role : document.settings().user_role;
   if (document.decisions().role_control != RoleControl::Hand) document.controlRole(RoleControl::Hand);
   const UserRole wanted = now == UserRole::Passive ? UserRole::Active : UserRole::Passive;
   if (wanted == document.settings().user_role)
     document.putSettings(document.settings());  // as it was asked for already; something else decided
   else
     document.changeSetting("user-role", wanted == UserRole::Active ? "active" : "passive");
-  show_lane(window);
 }
 
 QAction* add_control(MainWindow& window, QMenu* menu, QActionGroup& group, const char* name, RoleControl by) {
-  QAction* action = add_action(window, menu, name, {}, [&window, by] {
-    if (window.document().controlRole(by) && by != RoleControl::Hand) show_lane(window);
-  });
+  QAction* action = add_action(window, menu, name, {}, [&window, by] { window.document().controlRole(by); });
   action->setCheckable(true);
   group.addAction(action);
   const auto show = [&window, action, by] {

@@ -68,7 +68,8 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   form->addRow("Highest value", m_most);
   form->addRow(m_isolates);
   form->addRow("Exploded tetrahedra", withValue(m_apart, m_apartValue));
-  form->addRow(m_cuts, m_inWorld);
+  form->addRow(m_cuts);
+  form->addRow(m_inWorld);
   form->addRow("Offset", withValue(m_cut, m_cutValue));
   form->addRow("Turn", withValue(m_turn, m_turnValue));
   form->addRow("Tilt", withValue(m_tilt, m_tiltValue));

@@ -79,15 +79,16 @@ void ScalarChips::sayColour() {
       m_colour->setText(scalar->text() + (m_cells->isChecked() ? " + volume ▾" : " ▾"));
 }
 
-/// Below the chips at the left of the scene: in its middle is the pair that is filtered.
+/// Below the chips, in the left third of the scene and over what is left of it: in the middle is the pair
+/// that is filtered.
 void ScalarChips::openFilter() {
   setOptions(m_shown);  // a click must not leave the chip checked: that indicates an active filter
   m_options->adjustSize();
   const QRect desk = screen()->availableGeometry();
   const QPoint below = mapToGlobal(QPoint(0, height() + 4));
-  m_options->move(
-      std::clamp(below.x(), desk.left(), std::max(desk.left(), desk.right() - m_options->width())),
-      std::max(desk.top(), std::min(below.y(), desk.bottom() - m_options->height())));
+  const int third = parentWidget()->mapToGlobal(QPoint(parentWidget()->width() / 3, 0)).x();
+  m_options->move(std::max(desk.left(), std::min(below.x(), third - m_options->width())),
+                  std::max(desk.top(), std::min(below.y(), desk.bottom() - m_options->height())));
   m_options->show();
   m_options->setFocus();
 }
