@@ -438,6 +438,7 @@ TEST_F(HistoryInTheWindow, ASettingOnAParkedFrameIsTriedThereLikeAPin) {
 }
 
 TEST_F(HistoryInTheWindow, ATriedPinEndsWithTheSameKeyAndAtTheLiveEnd) {
+  window().messages().showInformation("before");
   ticker().step(-30);
   turn();
   press(Qt::Key_P);
@@ -449,6 +450,7 @@ TEST_F(HistoryInTheWindow, ATriedPinEndsWithTheSameKeyAndAtTheLiveEnd) {
   press(Qt::Key_End);
   EXPECT_TRUE(until([] { return !window().document().triedPin(); }));
   EXPECT_FALSE(window().document().decisions().pinned);
+  EXPECT_FALSE(window().messages().text().contains("taken back")) << "no setting was tried";
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ void Document::setAside(bool on) {
 
 void Document::setTries(bool on) {
   if (on == m_kept.has_value()) return;
-  const bool takes_back = !on && triesOther();
+  const bool takes_back = !on && *m_kept != settings();
   if (takes_back) change(m_live.with_settings(*m_kept), "back to the settings of the live partner");
   m_kept = on ? std::optional(settings()) : std::nullopt;
   holdSettings();
