@@ -107,6 +107,8 @@ Json stream_json(const StreamHealth& stream) {
                {"packets_with_issues", stream.packets_with_issues},
                {"overflowed", stream.overflowed},
                {"senders", stream.senders},
+               {"followed", stream.followed},
+               {"undecided", stream.undecided},
                {"performers", Json::array()},
                {"issues", Json::array()},
                {"facts", stream.facts}};

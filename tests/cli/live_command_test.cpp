@@ -205,6 +205,20 @@ TEST_F(LiveCommand, TwoSendersOnOnePortAreTwoPerformersAndAreTold) {
   EXPECT_GT(said["frames"], 0);
 }
 
+TEST_F(LiveCommand, OfTwoSendersThatBeginTogetherItSaysWhichIsFollowedAndAsksForAName) {
+  const std::uint16_t port = free_port();
+  start_at(port, uri_of("vmc", port), {});
+  TestSender first(uri_of("vmc", port), clip()), second(uri_of("vmc", port), clip());
+  ASSERT_TRUE(first.send_until([&] {
+    second.send_frame();
+    return has_warned_of("who is the user?");
+  }));
+  const auto said = statistics();
+  EXPECT_TRUE(said["stream"]["undecided"].is_array()) << "those at the end, perhaps none then";
+  EXPECT_THAT(entry_of(said["diagnoses"], "which-user")["text"],
+              HasSubstr(said["stream"]["followed"].get<std::string>() + " is followed now"));
+}
+
 TEST_F(LiveCommand, ASenderThatBeginsAnewIsFollowed) {
   start_streaming();
   stream(200);

@@ -25,6 +25,7 @@
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
+#include "tests/support/broken_world.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -480,6 +481,32 @@ TEST_F(UnsavedWork, SaveIsAnAnswerThatSavesBeforeItGoesOn) {
        load_project(file("asked.abrazo").toStdString())->annotations.at("").tiers())
     kept += tier.annotations.size();
   EXPECT_EQ(kept, 1U);
+}
+
+TEST_F(UnsavedWork, OnAFullDiskTheOldFileStaysWholeAndTheRestIsSavedOnceThereIsRoom) {
+  const auto saved_annotations = [] {
+    std::size_t count = 0;
+    const auto project = load_project(file("full.abrazo").toStdString());
+    if (!project) return count;
+    for (const AnnotationTier& tier : project->annotations.at("").tiers()) count += tier.annotations.size();
+    return count;
+  };
+  annotate(0.5, 1, "first");
+  save_as("full.abrazo");
+  ASSERT_EQ(saved_annotations(), 1U);
+  annotate(2, 3, "second");
+  {
+    const test::LimitedFiles full(4096);
+    save();
+  }
+  const QString told = window().messages().openErrors().join("\n");
+  EXPECT_TRUE(told.contains("full.abrazo") && told.contains("the disk is full")) << told.toStdString();
+  EXPECT_TRUE(is_modified());
+  EXPECT_EQ(saved_annotations(), 1U);
+  save();
+  EXPECT_FALSE(window().messages().openErrors().join("\n").contains("full.abrazo")) << "it was saved since";
+  EXPECT_FALSE(is_modified());
+  EXPECT_EQ(saved_annotations(), 2U);
 }
 
 TEST_F(UnsavedWork, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {

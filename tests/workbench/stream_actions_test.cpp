@@ -20,6 +20,7 @@
 #include "tests/workbench/demo_window.hpp"
 #include "tests/workbench/streamed_performer.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/offer_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/stream/address_form.hpp"
 #include "widgets/stream/connection_panel.hpp"
@@ -280,6 +281,24 @@ TEST_F(StreamActions, ASenderThatIsStartedAgainPlaysTheUserAgain) {
     EXPECT_EQ(card->part() == widgets::PerformerPart::User, name == desk().user()) << name.toStdString();
   }
   EXPECT_TRUE(until([] { return notice().isEmpty(); })) << notice().toStdString();
+}
+
+TEST_F(StreamActions, OfTwoSendersThatBeginTogetherAPersonIsAskedWhichOneIsTheUser) {
+  const QString to = listen();
+  const StreamedPerformer one(clip(), to), other(clip(), to);
+  const auto* question = window().findChild<widgets::OfferBar*>("which user");
+  ASSERT_TRUE(until([question] { return question->isVisible(); }));
+  EXPECT_TRUE(question->text().contains(desk().user() + " is followed now"))
+      << question->text().toStdString();
+  QPushButton* answer = nullptr;
+  for (auto* button : question->findChildren<QPushButton*>())
+    if (button->isVisible() && button->text() != desk().user()) answer = button;
+  ASSERT_TRUE(answer);
+  const QString chosen = answer->text();
+  answer->click();
+  EXPECT_EQ(desk().user(), chosen);
+  EXPECT_TRUE(until([] { return desk().health()->undecided.empty(); }));
+  EXPECT_FALSE(question->isVisible());
 }
 
 TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {

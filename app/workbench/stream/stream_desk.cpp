@@ -8,6 +8,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/offer_bar.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -58,8 +59,12 @@ StreamDesk::StreamDesk(MainWindow& window, ConnectionPanel& panel)
     : QObject(&window),
       m_window(window),
       m_panel(panel),
-      m_notice(new widgets::SceneNotice(&window.scene())) {
+      m_notice(new widgets::SceneNotice(&window.scene())),
+      m_question(new widgets::OfferBar) {
   setObjectName("stream desk");
+  m_question->setObjectName("which user");
+  window.addBelowMessages(m_question);
+  window.colour(m_question.data());
   panel.form().setRecent(recent());
   if (!recent().isEmpty()) panel.form().setUri(recent().front());
   connect(&panel.form(), &AddressForm::connectRequested, this, &StreamDesk::connectTo);
@@ -365,6 +370,7 @@ void StreamDesk::poll() {
                             : std::vector<widgets::SinkRow>{});
   showInput();
   showNotice();
+  askForUser();
   emit polled();
 }
 
@@ -430,6 +436,26 @@ void StreamDesk::showNotice() {
   if (!user_health) return m_notice->say({}, "Packets arrive, but no pose yet", advice);
   if (user_health->tracked) return m_notice->clear();
   m_notice->badge(StreamMark::Warning, "Tracking lost: " + user());
+}
+
+/// Of senders that began together only a person knows which one is the user. Whoever closes the question
+/// leaves it at the one that is followed.
+void StreamDesk::askForUser() {
+  constexpr std::size_t most_answers = 3;  // the panel has all
+  std::vector<std::string> open;
+  if (m_health && m_user.isEmpty()) open = m_health->undecided;
+  std::vector<std::string> asked = open;
+  if (!open.empty()) asked.push_back(m_health->followed);  // another question when it is another
+  if (!m_question || asked == m_asked) return;
+  m_asked = asked;
+  if (open.empty()) return m_question->hide();
+  QStringList answers;
+  for (const std::string& name : open)
+    if (answers.size() < static_cast<int>(most_answers)) answers << QString::fromStdString(name);
+  m_question->ask(QString("Who is the user? %1 senders began together; %2 is followed now")
+                      .arg(open.size())
+                      .arg(QString::fromStdString(m_health->followed)),
+                  answers, [this](const QString& chosen) { setUser(chosen); });
 }
 
 }  // namespace abrazo::app

@@ -23,6 +23,7 @@ class StreamReceiver;
 
 namespace abrazo::widgets {
 class ConnectionPanel;
+class OfferBar;
 class SceneNotice;
 enum class StreamMark;
 }  // namespace abrazo::widgets
@@ -97,12 +98,15 @@ class StreamDesk : public QObject {
   void nameInput(const QString& words, const QString& detail = {});
   QString streamName() const;
   void showNotice();
+  void askForUser();
   void advanceCalibration();
   const PerformerHealth* userHealth() const;
 
   MainWindow& m_window;
   widgets::ConnectionPanel& m_panel;
   QPointer<widgets::SceneNotice> m_notice;
+  QPointer<widgets::OfferBar> m_question;
+  std::vector<std::string> m_asked;  ///< the senders of whom it asks or asked, and the one followed then
   QString m_before;        ///< connected before the pending connection, which may fail; empty = none
   bool m_returns = false;  ///< to what was connected before
   bool m_isAsked = false;  ///< a person asked for the pending connection

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "core/base/text.hpp"
 #include "core/stream/natnet/natnet_connection.hpp"
@@ -18,6 +19,9 @@ constexpr double silence_text_every_s = 5;
 /// Bytes left after a frame: its end tag, and additions of later versions. Reading a frame in a wrong version
 /// mostly leaves more.
 constexpr std::size_t longest_end_bytes = 16;
+
+/// Described at once: a datagram has room for thousands without bones, and each costs time in each frame.
+constexpr std::size_t most_skeletons = 64;
 
 /// Values of the options.
 struct NatNetOptions {
@@ -206,6 +210,12 @@ void NatNetDecoder::take_model(ByteReader& reader, double arrived_s, Decoded& ou
   for (const std::string& unread : model.unread)
     out.issues.push_back({"unread-description", "model description: " + unread});
   connection_.take_model(arrived_s);
+  if (model.skeletons.size() > most_skeletons) {
+    out.issues.push_back({"too-many-performers",
+                          "the server describes " + std::to_string(model.skeletons.size()) +
+                              " skeletons; the first " + std::to_string(most_skeletons) + " are taken"});
+    model.skeletons.resize(most_skeletons);
+  }
   performers_.clear();
   std::set<std::string> names;
   for (const NatNetSkeleton& skeleton : model.skeletons) {
@@ -272,15 +282,26 @@ void NatNetDecoder::give(const NatNetFrame& frame, const Datagram& datagram, Dec
         {"no-skeleton", "frames with " + std::to_string(frame.bodies.size()) +
                             " rigid bodies and no skeleton. In Motive create a skeleton, and tick Skeletons "
                             "in the streaming settings"});
+  // However often a frame names a skeleton, described or not, it is worked on once.
+  std::set<const NatNetPerformer*> done;
+  bool was_unknown = false, was_repeated = false;
   for (const NatNetSkeletonFrame& skeleton : frame.skeletons) {
     NatNetPerformer* performer = performer_of(skeleton.id);
     if (!performer || !performer->has_bones_of(skeleton)) {
       connection_.want_model();
+      if (std::exchange(was_unknown, true)) continue;
       out.issues.push_back({"unknown-skeleton", "the skeleton with the number " +
                                                     std::to_string(skeleton.id) + " and " +
                                                     std::to_string(skeleton.bones.size()) +
                                                     " bones is not the one described; the description is "
                                                     "requested again"});
+      continue;
+    }
+    if (!done.insert(performer).second) {
+      if (!std::exchange(was_repeated, true))
+        out.issues.push_back({"repeated-skeleton", "frame " + std::to_string(frame.number) + " has " +
+                                                       in_quotes(performer->name()) +
+                                                       " more than once; the first is taken"});
       continue;
     }
     std::optional<Positions> positions = performer->positions(skeleton, out.issues);

@@ -84,6 +84,8 @@ struct StreamHealth {
   std::vector<std::string> senders;
   std::vector<PerformerHealth> performers;
   std::string followed;  ///< performer whose poses are taken when none is named; empty before the first
+  /// Senders that began together with the followed one, and it, while nobody has named the user; else empty.
+  std::vector<std::string> undecided;
   std::vector<IssueCount> issues;
   std::vector<StreamDiagnosis> diagnoses;  ///< most severe first
   std::vector<std::string> facts;

@@ -32,6 +32,20 @@ PerformerStream* faster_beginner(StreamPipeline& pipeline, const PerformerStream
 
 }  // namespace
 
+/// Of VMC, where a performer is a sender: anyone may send, and nothing but the choice of a person tells whom
+/// to follow. The skeletons of the other protocols come from one sender.
+void PoseReader::note_undecided(StreamPipeline& pipeline, const PerformerStream* followed,
+                                double now_s) const {
+  std::vector<std::string> together;
+  if (wanted_.empty() && followed && pipeline.uri().scheme == StreamUri::Scheme::Vmc)
+    for (const auto& other : pipeline.streams())
+      if (std::abs(other->first_seen_s() - followed->first_seen_s()) <= together_s &&
+          other->last_pose_s() >= 0 && now_s - other->last_pose_s() <= silent_s)
+        together.push_back(other->name());
+  if (together.size() < 2) together.clear();
+  pipeline.note_undecided(std::move(together));
+}
+
 PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
   PerformerStream* const current = followed_.empty() ? nullptr : pipeline.find(followed_);
   PerformerStream* chosen = current;
@@ -64,6 +78,7 @@ PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
     cursor_ = chosen->buffer().now(now_s);
     break_pending_ = true;
   }
+  note_undecided(pipeline, chosen, now_s);
   return chosen;
 }
 

@@ -25,6 +25,7 @@ class PoseReader {
 
  private:
   PerformerStream* follow(StreamPipeline& pipeline, double now_s);
+  void note_undecided(StreamPipeline& pipeline, const PerformerStream* followed, double now_s) const;
   bool is_wanted(double time_s, double rate_hz);
 
   std::string wanted_, followed_;

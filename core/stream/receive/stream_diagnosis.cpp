@@ -223,6 +223,11 @@ void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
 }
 
 void look_at_who_is_heard(const StreamObservation& seen, Advice& advice) {
+  if (!seen.undecided.empty())
+    advice.add(Severity::Warning, "which-user",
+               "who is the user? " + listed(seen.undecided) + " began to send within a second; " +
+                   seen.followed +
+                   " is followed now. Choose one, or name it in the address: performer=" + seen.followed);
   if (!seen.stranger.empty())
     advice.add(Severity::Warning, "stranger",
                seen.stranger + ". If the server answers from that address, connect to it instead");

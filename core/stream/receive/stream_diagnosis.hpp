@@ -46,6 +46,7 @@ struct StreamObservation {
   std::vector<std::string> recent_senders;  ///< active within the last two seconds
   std::string stranger;                     ///< rejected sender of the last seconds, and why
   std::string followed;                     ///< performer who plays the user; empty = named, or none yet
+  std::vector<std::string> undecided;       ///< see StreamHealth
   std::string sender_change;                ///< recent change of the followed performer or accepted sender
   double last_sender_change_s = -1;
   std::string failure;        ///< why the socket failed

@@ -259,6 +259,7 @@ StreamObservation StreamPipeline::observe(double now_s) const {
   seen.recent_overflow = recent_overflow_.value(now_s);
   if (recent_strangers_.value(now_s) > 0) seen.stranger = stranger_;
   seen.followed = counted_.followed;
+  seen.undecided = counted_.undecided;
   seen.sender_change = sender_change_;
   seen.last_sender_change_s = last_sender_change_s_;
   for (const auto& [sender, last_s] : senders_)

@@ -37,6 +37,8 @@ class StreamPipeline {
 
   /// Notes the performer whose poses are taken when none is named.
   void note_followed(const std::string& performer) { counted_.followed = performer; }
+  /// Notes the performers of whom any may be the user, because they began together; empty = that is known.
+  void note_undecided(std::vector<std::string> performers) { counted_.undecided = std::move(performers); }
   /// Notes a packet that was rejected because only `server` is accepted: neither read nor counted as a
   /// packet.
   void note_stranger(const Endpoint& stranger, const std::string& server, double now_s);

@@ -15,7 +15,8 @@ namespace abrazo::stream_pipeline_test {
 namespace {
 
 using test::performer_frame, test::plain_packet, test::PlainDecoder, test::PlainFrame;
-using testing::Contains, testing::Field, testing::HasSubstr, testing::IsEmpty, testing::Not;
+using testing::Contains, testing::ElementsAre, testing::Field, testing::HasSubstr, testing::IsEmpty,
+    testing::Not;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -379,6 +380,31 @@ TEST(StreamPipeline, OfTwoThatBeginTogetherTheOneWithClearlyMorePosesIsFollowedA
         is_stranger_first);
     EXPECT_THAT(line.advice("two-senders"), HasSubstr("choose who plays the user (now user)"));
   }
+}
+
+TEST(StreamPipeline, OfSendersThatBeginTogetherItAsksWhoIsTheUserUntilOneIsNamed) {
+  const auto undecided = [](const PlainLine& line) { return line.pipeline.health(line.now_s).undecided; };
+  PlainLine line;
+  PoseReader anyone("");
+  line.stand(test::standing_pose(), "10.0.0.1:5000", 0.1);
+  anyone.poll(line.pipeline, line.now_s);
+  EXPECT_THAT(undecided(line), IsEmpty()) << "of one nothing has to be asked";
+  line.stand(test::standing_pose(), "10.0.0.2:6000", 0.1);
+  anyone.poll(line.pipeline, line.now_s);
+  EXPECT_THAT(undecided(line), ElementsAre("10.0.0.1:5000", "10.0.0.2:6000"));
+  EXPECT_THAT(line.advice("which-user"), HasSubstr("10.0.0.1:5000 is followed now"));
+  PoseReader chosen("10.0.0.2:6000");
+  chosen.poll(line.pipeline, line.now_s);
+  EXPECT_THAT(undecided(line), IsEmpty());
+  EXPECT_EQ(line.advice("which-user"), "no which-user");
+
+  PlainLine later;
+  PoseReader first("");
+  later.stand(test::standing_pose(), "10.0.0.1:5000", 2);
+  first.poll(later.pipeline, later.now_s);
+  later.stand(test::standing_pose(), "10.0.0.2:6000", 0.1);
+  first.poll(later.pipeline, later.now_s);
+  EXPECT_THAT(undecided(later), IsEmpty()) << "who comes later does not change who the user is";
 }
 
 TEST(StreamPipeline, APerformerWhoComesBackAfterOthersTookThePlaceIsFollowedAtOnce) {
