@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -53,8 +54,21 @@ py::array view_of(const Number* numbers, Shape shape, py::handle owner) {
 /// (T, 25, 3) view of contiguous poses.
 py::array view_of(const std::vector<Pose>& poses, py::handle owner);
 
-/// Argument for one or several poses: anything that NumPy converts to doubles.
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Argument for one or several poses: anything that NumPy converts to doubles. What a masked array masks is
+/// not a number.
+class Numbers : public py::array_t<double, py::array::c_style | py::array::forcecast> {
+ public:
+  Numbers() = default;
+  /// Empty if it cannot be converted.
+  static Numbers of(py::handle given) {
+    const bool is_masked = py::isinstance(given, py::module_::import("numpy.ma").attr("MaskedArray"));
+    py::object plain = py::reinterpret_borrow<py::object>(given);
+    if (is_masked) plain = plain.attr("astype")("float64").attr("filled")(py::float_(std::nan("")));
+    Numbers numbers;
+    static_cast<array_t&>(numbers) = array_t::ensure(plain);
+    return numbers;
+  }
+};
 
 /// One pose. @throws py::value_error when the shape is not (25, 3); `name` is that of the argument
 Pose pose_of(const Numbers& numbers, const char* name);
@@ -77,3 +91,13 @@ void bind_evaluation(py::module_& module);
 void bind_session(py::module_& module);
 
 }  // namespace abrazo::python
+
+template <>
+struct pybind11::detail::type_caster<abrazo::python::Numbers> {
+  PYBIND11_TYPE_CASTER(abrazo::python::Numbers, handle_type_name<array_t<double>>::name);
+  bool load(handle given, bool converts) {
+    if (!converts && !isinstance<array>(given)) return false;
+    value = abrazo::python::Numbers::of(given);
+    return static_cast<bool>(value);
+  }
+};

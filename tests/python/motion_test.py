@@ -69,6 +69,13 @@ class Clips(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"frame 7, joint 20 \(lhand\) are not finite"):
             abrazo.Clip(positions, fps=60)
 
+    def test_refuse_what_is_masked_and_name_the_joint(self):
+        positions = np.ma.array(demo_set.leader().positions)
+        np.testing.assert_array_equal(abrazo.Clip(positions, fps=60).positions, positions)
+        positions[7, 20] = np.ma.masked
+        with self.assertRaisesRegex(ValueError, r"frame 7, joint 20 \(lhand\) are not finite"):
+            abrazo.Clip(positions, fps=60)
+
     def test_refuse_a_rate_that_is_none(self):
         for fps in (0, -60, float("nan"), float("inf")):
             with self.assertRaisesRegex(ValueError, "fps is"):

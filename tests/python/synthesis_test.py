@@ -197,6 +197,9 @@ class Stepping(unittest.TestCase):
         failed = self.partner.step(lost, 1 / 60)
         self.assertTrue(failed.status.startswith("failed: "), failed.status)
         np.testing.assert_array_equal(failed.passive, good.passive)
+        masked = np.ma.array(self.user[1])
+        masked[3] = np.ma.masked
+        self.assertTrue(self.partner.step(masked, 1 / 60).status.startswith("failed: "))
 
     def test_refuses_another_shape(self):
         for shape in ((24, 3), (25, 2), (1, 25, 3), (75,)):
