@@ -88,11 +88,13 @@ std::optional<FolderAbilities> abilities_of_folder_with(const std::string& path)
   lock.l_len = 1;
   able.locks = ::fcntl(file, F_SETLK, &lock) == 0;
   constexpr std::size_t bytes = 32768;  // of the index of SQLite's log
-  void* const mapped = ::ftruncate(file, bytes) == 0
-                           ? ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
-                           : MAP_FAILED;
-  able.shares_memory = mapped != MAP_FAILED;
-  if (able.shares_memory) ::munmap(mapped, bytes);
+  if (::ftruncate(file, bytes) == 0) {
+    void* const mapped = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    able.shares_memory = mapped != MAP_FAILED;
+    if (able.shares_memory) ::munmap(mapped, bytes);
+  } else {  // a full disk is able; it is told as what it is
+    able.shares_memory = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
+  }
   ::close(file);
   ::unlink(name.c_str());
   return able;
