@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "core/motion/body/body.hpp"
 #include "core/stream/natnet/natnet_encoder.hpp"
