@@ -107,6 +107,20 @@ TEST_F(ClipInTheWindow, AChangedSettingSolvesItAgainAndTheFrameThatIsSeenShowsIt
   EXPECT_EQ(ticker().shown()->input_frame, 600) << "the cursor stays";
 }
 
+/// The lanes of the labels went dead, and the markers with them.
+TEST_F(ClipInTheWindow, SolvedAgainItKeepsLabelsAndMarkersOnTheTimeline) {
+  Markers markers = window().document().markers();
+  markers.add(0.7, "clap");
+  window().document().changeMarkers(markers, "mark");
+  const auto tiers = window().timeline().tiers().annotations;
+  window().document().changeSetting("alpha", "0.8");
+  ASSERT_TRUE(until([] { return frames().back()->settings.alpha == 0.8 && isWhole(); }));
+  QTest::qWait(300);  // the panels have followed
+  EXPECT_EQ(window().timeline().tiers().annotations, tiers);
+  EXPECT_EQ(window().timeline().markers(), markers);
+  EXPECT_EQ(window().document().markers(), markers);
+}
+
 /// The selection `intent` learns the library while the first frames are solved by Eq. 7.
 TEST_F(ClipInTheWindow, NoFrameIsLeftThatWasSolvedBeforeTheLibraryWasLearned) {
   for (const FrameSnapshotPtr& frame : frames()) {

@@ -87,7 +87,7 @@ QColor colour_of(Series series, const Palette& p) {
     case Series::EdgeReference:
       return p.ghost_active;
     case Series::EdgeResidual:
-      return p.energy_constraint;
+      return p.residual_penetration;
     case Series::EdgeWeight:
       return p.energy_velocity;
     case Series::CellRatio:

@@ -68,7 +68,7 @@ std::string stream_name(const StreamHealth& health, const std::string& performer
 }
 
 StreamHeadline headline_of(const StreamHealth* health) {
-  if (!health) return {StreamMark::Off, "not connected", "The clip plays the user"};
+  if (!health) return {StreamMark::Off, "not connected", "No stream plays the user"};
   const std::string detail = health->listening.empty()
                                  ? health->uri
                                  : stream_name(*health) + ", " + listening_words(health->listening);

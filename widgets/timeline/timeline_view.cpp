@@ -118,7 +118,9 @@ void TimelineView::showOtherFrames() {
   m_content.palette = before.palette;
   m_content.library = std::move(before.library);
   m_content.lanes = std::move(before.lanes);
-  m_content.tiers.rules = before.tiers.rules;
+  m_content.tiers = std::move(before.tiers);
+  m_content.markers = std::move(before.markers);
+  m_content.selected_marker = before.selected_marker;
   m_content.takes = std::move(before.takes);
   m_content.lost = std::move(before.lost);
   m_nextIndex = 0;

@@ -96,6 +96,10 @@ class LeaveOnEscape : public QObject {
     list->installEventFilter(this);
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
+    // Wider than the field, and on the screen: the field is at the right of the window.
+    if (event->type() == QEvent::Show && watched == m_list)
+      m_list->move(m_field->mapToGlobal(m_field->rect().bottomRight()).x() + 1 - m_list->width(),
+                   m_list->y());
     const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (!is_key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
       return QObject::eventFilter(watched, event);

@@ -193,7 +193,10 @@ void ProjectDesk::save() {
 QString ProjectDesk::askFile() {
   const QString folder =
       file().isEmpty() ? m_window.remembered().lastFolder() : QFileInfo(file()).absolutePath();
-  const QString name = file().isEmpty() ? "session.abrazo" : QFileInfo(file()).fileName();
+  const QString own = QFileInfo(file()).completeBaseName();
+  const QString name = file().isEmpty()       ? "session.abrazo"
+                       : m_takes.isReadOnly() ? own + " copy.abrazo"
+                                              : QFileInfo(file()).fileName();
   const QString chosen = widgets::choose_new_file(&m_window, "Save session as", QDir(folder).filePath(name),
                                                   ".abrazo", "Sessions (*.abrazo)");
   if (!chosen.isEmpty()) m_window.remembered().setLastFolder(QFileInfo(chosen).absolutePath());

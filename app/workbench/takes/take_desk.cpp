@@ -68,7 +68,7 @@ RecordingFacts TakeDesk::facts() const {
 
 void TakeDesk::toggle() {
   if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
-  if (m_sequence.phase == Phase::Idle && m_window.session()->material().is_clip())
+  if (m_sequence.phase == Phase::Idle && !hasPerformer())
     return m_window.messages().showInformation(
         "A take is recorded of a live performer: connect a stream (Ctrl+K), or Live > Play the clip as live. "
         "File > Export writes what the clip's partner does");
@@ -77,6 +77,13 @@ void TakeDesk::toggle() {
   if (m_sequence.stop()) return endTake();
   update();
   emit cameToNothing();
+}
+
+/// A clip is solved at other times than it is shown, and after a stream nobody moves.
+bool TakeDesk::hasPerformer() const {
+  const Material& material = m_window.session()->material();
+  return !material.is_clip() &&
+         (material.use != InputUse::Stream || m_window.session()->engine().receiver() != nullptr);
 }
 
 void TakeDesk::endWithStream() {
@@ -93,7 +100,7 @@ void TakeDesk::endWithStream() {
 }
 
 void TakeDesk::again() {
-  if (!m_window.session() || takes().empty() || m_window.session()->material().is_clip()) return;
+  if (!m_window.session() || takes().empty() || !hasPerformer()) return;
   if (m_sequence.stop()) endTake();
   begin(again_name(takes().names()), 0);
 }
@@ -406,7 +413,7 @@ widgets::RecordingStatus TakeDesk::status() const {
   status.failure = disk.failure;
   status.lost = disk.lost;
   status.is_everything_kept = m_window.remembered().keepsEverything();
-  status.can_record = !m_window.session()->material().is_clip();
+  status.can_record = m_sequence.phase != Phase::Idle || hasPerformer();
   return status;
 }
 

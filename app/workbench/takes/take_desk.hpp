@@ -88,6 +88,7 @@ class TakeDesk : public QObject {
   bool record();
   bool refusesChange();
   bool recordsStreams() const;
+  bool hasPerformer() const;
   enum class Afterwards { Keep, Delete };
   void stopRecorder(Afterwards afterwards = Afterwards::Keep);
   bool isFinishingFile() const;

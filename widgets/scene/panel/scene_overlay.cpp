@@ -77,6 +77,7 @@ void ScalarChips::sayColour() {
   for (const QAction* scalar : m_scalars)
     if (scalar->isChecked())
       m_colour->setText(scalar->text() + (m_cells->isChecked() ? " + volume ▾" : " ▾"));
+  if (m_room > 0) fitInto(m_room);
 }
 
 /// Below the chips, in the left third of the scene and over what is left of it: in the middle is the pair
@@ -94,6 +95,7 @@ void ScalarChips::openFilter() {
 }
 
 void ScalarChips::fitInto(int width_px) {
+  m_room = width_px;
   say(false);
   if (inRows(width_px).size() > 1) say(true);
   int y = 0, right = 0;

@@ -47,6 +47,7 @@ class ScalarChips : public QWidget {
   QAction* m_cells = nullptr;
   QToolButton *m_colour, *m_betweenOnly, *m_filter;
   SceneOptionsPanel* m_options;
+  int m_room = 0;  ///< width that the chips were last fitted into [px]
   SceneOptions m_shown;
 };
 
