@@ -124,7 +124,7 @@ void SolverControl::control_role(RoleControl by) {
 
 void SolverControl::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   synthesizer->set_settings(synthesizer_->settings());  // may throw; nothing is changed yet
-  const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
+  std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
   if (!current_.meant) asked_move_.reset();
   could_not_learn_ = {};
@@ -136,6 +136,9 @@ void SolverControl::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   role_switch_ = RoleSwitch(synthesizer_->views(), before->settings().user_role);
   role_switch_.control(current_.role_control, before->settings().user_role);
   followed_pair_ = -1;
+  // What is learned for it may go on for seconds, and is waited for when it ends: not between two steps.
+  leaving_ =
+      std::jthread([last = std::move(before), earlier = std::move(leaving_)]() mutable { last.reset(); });
 }
 
 bool SolverControl::is_over(const IntendedMove& move, double now_s) const {

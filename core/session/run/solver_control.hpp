@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "core/session/frames/decisions.hpp"
 #include "core/session/run/role_switch.hpp"
@@ -68,6 +69,7 @@ class SolverControl {
   RoleSwitch role_switch_;
   int followed_pair_ = -1;  ///< pair of the intended move followed last
   bool move_is_done_ = false;
+  std::jthread leaving_;  ///< ends the synthesizers that were replaced
 };
 
 }  // namespace abrazo

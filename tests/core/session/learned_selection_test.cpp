@@ -145,6 +145,22 @@ TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
   EXPECT_EQ(other->settings(), by_intent());
 }
 
+/// The partner stood still for seconds after a connection whose library had labelled takes.
+TEST(LearnedSelection, ALibraryThatIsStillLearnedIsLeftWithoutWaitingForThat) {
+  Steered session;
+  session.step();
+  const std::shared_ptr<PartnerSynthesizer> other =
+      std::move(*PartnerSynthesizer::create(test::small_library(), *preset("paper")));
+  const std::weak_ptr<const RoleViews> left = session.control.synthesizer().views();
+  test::hold_back_memory(20'000);  // it does not end before it gets them
+  session.control.set_settings(by_intent());
+  session.control.replace(other);
+  EXPECT_FALSE(left.expired()) << "it is still learned";
+  test::give_memory_again();
+  ASSERT_TRUE(becomes_ready(*other));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+}
+
 TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   Steered session;
   session.step();

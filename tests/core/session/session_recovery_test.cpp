@@ -218,7 +218,8 @@ TEST(SessionRecovery, WhatIsNoSessionFileIsSaidToBeNone) {
     auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
     ASSERT_TRUE(database->execute("PRAGMA application_id = 1096970874; PRAGMA user_version = 99"));
   }
-  EXPECT_THAT(error_of(path), HasSubstr("version 99, this program reads version 1; open it with a newer Abrazo"));
+  EXPECT_THAT(error_of(path),
+              HasSubstr("version 99, this program reads version 1; open it with a newer Abrazo"));
 }
 
 TEST(SessionLibraryReference, NoticesAnotherLibrary) {
