@@ -1,8 +1,12 @@
 #include "core/opening/open_files.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/base/text.hpp"
 #include "core/library/takes/manifest.hpp"
@@ -106,9 +110,9 @@ std::string read_as_in_library(const ImportReport& report, const std::string& li
 }
 
 /// By the person's choices, otherwise by the rule for similar files, otherwise as found; then notes whether
-/// the file leaves questions.
-Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Material& material,
-                      const Progress& progress) {
+/// the file leaves questions. @return the report of the motion as it was read
+Result<ImportReport> read_as_wished(const SortedFiles& files, const OpeningWish& wish, Material& material,
+                                    const Progress& progress) {
   MotionPoints points;
   MotionReading reading = files_in(files, wish.said.value_or(MotionReading{}));
   auto clips = with_remembered_map(points, reading, wish.joint_maps, progress);
@@ -139,8 +143,24 @@ Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Materia
     }
   }
   material.is_doubtful = !settled && (!suits || clips->size() > 1 || clips->front().report.asks());
+  ImportReport report = clips->front().report;
   take_input(reading, std::move(*clips), material);
-  return Done{};
+  return report;
+}
+
+/// A library file does not say how its motion files were read, but its takes have a rate.
+void compare_rates(const ImportReport& report, Material& material) {
+  const std::vector<LibraryTake>& takes = material.library->takes();
+  if (!report.fps_guessed || material.is_generated || takes.empty()) return;
+  const double rate = takes.front().fps;
+  const bool is_one =
+      std::ranges::all_of(takes, [rate](const LibraryTake& take) { return take.fps == rate; });
+  if (!is_one || rate == material.input.fps) return;
+  material.warnings.insert(
+      material.warnings.begin(),
+      fmt::format("{} does not state its frame rate and is played at {} per second; the takes of the library "
+                  "have {}: set that if it was captured with them",
+                  material.input.name, exact_text(material.input.fps), exact_text(rate)));
 }
 
 Result<Material> open_as_session(const SortedFiles& files, const OpeningWish& wish,
@@ -182,11 +202,18 @@ Result<Material> open_files(const OpeningWish& wish, const Progress& progress) {
   Material material = for_next_session(wish.open);
   const bool has_motion = !files->motion.empty();
   material.is_input_asked = has_motion;
-  if (has_motion)
-    if (const Status read = read_as_wished(*files, wish, material, progress); !read) return read.error();
+  ImportReport report;
+  if (has_motion) {
+    auto read = read_as_wished(*files, wish, material, progress);
+    if (!read) return read.error();
+    report = std::move(*read);
+  }
   if (!files->library.empty() || !material.library)
     if (const Status added = add_library(*files, progress, material); !added) return added.error();
-  if (has_motion) return material;
+  if (has_motion) {
+    compare_rates(report, material);
+    return material;
+  }
   return danced_with(material, static_cast<int>(material.library->takes().size()) - 1);
 }
 

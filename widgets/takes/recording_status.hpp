@@ -15,6 +15,7 @@ struct RecordingStatus {
   int count = 0;     ///< of the countdown
   double elapsed_s = 0;
   std::string file;                 ///< empty while not recording to disk
+  std::string folder;               ///< where a recording will be
   std::uint64_t bytes = 0;          ///< on disk
   std::uint64_t frames = 0;         ///< on disk
   double behind_s = 0;              ///< age of the oldest frame that is not on disk yet

@@ -218,9 +218,10 @@ void TakePanel::showStatus(const RecordingStatus& status) {
   const QString dress = "color: " + ink.name();  // set anew, even the same is worked out for the whole panel
   if (m_disk->styleSheet() != dress) m_disk->setStyleSheet(dress);
   const QString file = QString::fromStdString(status.file);
-  m_file->setVisible(!file.isEmpty());
-  m_file->setText(QFileInfo(file).fileName());
-  m_file->setToolTip(plain_tip(file));
+  const QString folder = QString::fromStdString(status.folder);
+  m_file->setVisible(!file.isEmpty() || !folder.isEmpty());
+  m_file->setText(file.isEmpty() ? "kept in " + folder : QFileInfo(file).fileName());
+  m_file->setToolTip(plain_tip(file.isEmpty() ? folder : file));
   showNext();
 }
 

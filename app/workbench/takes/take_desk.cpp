@@ -407,6 +407,7 @@ widgets::RecordingStatus TakeDesk::status() const {
   status.count = m_sequence.count(now());
   status.elapsed_s = m_sequence.elapsed_s(now());
   status.file = m_file.toStdString();
+  status.folder = sessions_folder().toStdString();
   status.bytes = disk.file_bytes;
   status.frames = disk.frames;
   status.behind_s = disk.behind_s;

@@ -1,5 +1,6 @@
 #include "core/opening/open_files.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class OpenFiles : public ::testing::Test, protected test::TemporaryFolder {
  protected:
@@ -71,6 +73,21 @@ TEST_F(OpenFiles, WhatAMotionDoesNotSayIsReadAsTheLibraryOfItsFolderWas) {
               Contains(HasSubstr("read as the takes of the library: 50 frames per second")));
   EXPECT_EQ(opened({untimed}, *opened({library}))->input.fps, 50) << "the open library, too";
   EXPECT_EQ(opened({motion, library})->input.fps, opened({motion})->input.fps) << "what the file says holds";
+}
+
+TEST_F(OpenFiles, AGuessedRateThatIsNotThatOfTheLibrarysTakesIsToldFirst) {
+  std::string text = *read_whole_file(motion);
+  const std::size_t at = text.find("Frame Time:");
+  text.replace(at, text.find('\n', at) - at, "Frame Time: 0");
+  const std::string untimed = file("captures/untimed.bvh"), library = file("alone.h5");
+  ASSERT_TRUE(write_whole_file(untimed, text));
+  ASSERT_TRUE(write_library(*test::built_of(manifest).library, library));
+  const auto material = opened({untimed, library});
+  ASSERT_TRUE(material) << material.error().text();
+  const double rate = material->library->takes().front().fps;
+  ASSERT_NE(material->input.fps, rate);
+  EXPECT_THAT(material->warnings.front(), HasSubstr(fmt::format("the takes of the library have {}", rate)));
+  EXPECT_THAT(opened({motion, library})->warnings, Not(Contains(HasSubstr("the takes of the library have"))));
 }
 
 TEST_F(OpenFiles, AMotionByItselfIsAnsweredByTheGeneratedDanceWhichIsSaid) {
