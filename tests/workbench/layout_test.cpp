@@ -570,6 +570,9 @@ TEST_F(Layout, AWindowAsLargeAsTheScreenHasItsFrameOnIt) {
   fit_onto_screen(large);
   EXPECT_TRUE(room.contains(large.geometry()));
   EXPECT_LT(large.height(), room.height());
+  large.setMinimumSize(room.size() + QSize(200, 100));
+  fit_onto_screen(large);
+  EXPECT_EQ(large.pos(), room.topLeft()) << "as much of it as there is room for";
   QWidget small;
   small.setGeometry(QRect(room.topLeft() + QPoint(40, 40), QSize(300, 200)));
   fit_onto_screen(small);

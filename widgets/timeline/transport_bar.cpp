@@ -84,15 +84,15 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_role->hide();
   m_livePin = button("Lift the pin of the live partner",
                      "You pinned a pair: the live partner uses it until you unpin it here");
-  m_triedPin = button("Use for the live partner, too",
-                      "What you changed is tried on this frame only: the live partner keeps what it has, and "
-                      "going back to it takes the change back. Click to use it for the live partner, too");
-  for (QToolButton* pin : {m_livePin, m_triedPin}) {
+  m_tried = button("Use for the live partner, too",
+                   "What you changed is tried on this frame only: the live partner keeps what it has, and "
+                   "going back to it takes the change back. Click to use it for the live partner, too");
+  for (QToolButton* pin : {m_livePin, m_tried}) {
     pin->setFocusPolicy(Qt::TabFocus);
     pin->hide();
   }
   connect(m_livePin, &QToolButton::clicked, this, &TransportBar::liftPinRequested);
-  connect(m_triedPin, &QToolButton::clicked, this, &TransportBar::applyPinRequested);
+  connect(m_tried, &QToolButton::clicked, this, &TransportBar::useTriedRequested);
   m_input = new InputLabel(this);
   m_input->setObjectName("secondary");
   m_input->setTextFormat(Qt::PlainText);
@@ -179,7 +179,7 @@ void TransportBar::arrange() {
   }
   row->addSpacing(8);
   row->addWidget(m_role);
-  for (QToolButton* pin : {m_livePin, m_triedPin}) {
+  for (QToolButton* pin : {m_livePin, m_tried}) {
     row->addSpacing(6);
     row->addWidget(pin);
   }
@@ -214,7 +214,7 @@ void TransportBar::dress() {
                                      "font-weight: 600; font-size: 12px;")
                                  .arg(m_palette.live.name()));
   dressRole();
-  for (QToolButton* pin : {m_livePin, m_triedPin})
+  for (QToolButton* pin : {m_livePin, m_tried})
     pin->setStyleSheet(QString("QToolButton { color: %1; border: 1px solid %2; border-radius: 6px; "
                                "padding: 2px 8px; font-weight: 600; font-size: 12px; }")
                            .arg(m_palette.text.name(), m_palette.warning.name()));
@@ -364,16 +364,16 @@ void TransportBar::dressRole() {
 }
 
 void TransportBar::showPins(bool live, bool tried) {
-  if (m_livePin->isHidden() == !live && m_triedPin->isHidden() == !tried) return;
+  if (m_livePin->isHidden() == !live && m_tried->isHidden() == !tried) return;
   m_livePin->setVisible(live);
-  m_triedPin->setVisible(tried);
+  m_tried->setVisible(tried);
   makeRoom();
 }
 
 void TransportBar::writePins() {
   const bool is_short = m_room == Room::ShortWords, is_shortest = m_room >= Room::ShortestWords;
   m_livePin->setText(is_shortest ? "pinned ✕" : is_short ? "live: pinned ✕" : "live: pinned by you ✕");
-  m_triedPin->setText(is_shortest ? "what if" : is_short ? "what if ✓" : "what if · use for live");
+  m_tried->setText(is_shortest ? "what if" : is_short ? "what if ✓" : "what if · use for live");
 }
 
 void TransportBar::setRoleMenu(QMenu* menu) {

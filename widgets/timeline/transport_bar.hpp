@@ -75,7 +75,7 @@ class TransportBar : public QWidget {
   void loopRequested(bool on);
   void repeatRequested(abrazo::Playback::Repeat repeat);
   void liftPinRequested();
-  void applyPinRequested();
+  void useTriedRequested();
   void placeEntryRequested();
   void formatRequested(abrazo::TimeFormat format);
 
@@ -116,7 +116,7 @@ class TransportBar : public QWidget {
   TimeFormat m_format = TimeFormat::Clock;
   QLabel* m_recording;
   QToolButton* m_role;
-  QToolButton *m_livePin, *m_triedPin;
+  QToolButton *m_livePin, *m_tried;
   bool m_userIsActive = true, m_isHeld = false;
   UserInput m_userInput = UserInput::None;
   bool m_isOfTake = false;

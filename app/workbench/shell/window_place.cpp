@@ -36,8 +36,9 @@ void fit_onto_screen(QWidget& window) {
                           .expandedTo({0, window.style()->pixelMetric(QStyle::PM_TitleBarHeight)});
   window.resize(window.size().boundedTo(room.size() - frame));
   const QSize whole = window.size() + frame;
-  window.move(std::clamp(window.x(), room.left(), room.right() + 1 - whole.width()),
-              std::clamp(window.y(), room.top(), room.bottom() + 1 - whole.height()));
+  // A window that cannot be made as small as the screen begins at its top left.
+  window.move(std::max(room.left(), std::min(window.x(), room.right() + 1 - whole.width())),
+              std::max(room.top(), std::min(window.y(), room.bottom() + 1 - whole.height())));
 }
 
 }  // namespace abrazo::app

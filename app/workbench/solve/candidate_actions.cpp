@@ -71,7 +71,7 @@ void add_candidate_actions(MainWindow& window) {
   widgets::TransportBar& transport = window.transport();
   QObject::connect(&transport, &widgets::TransportBar::liftPinRequested, &document,
                    [&document] { lift_live_pin(document); });
-  QObject::connect(&transport, &widgets::TransportBar::applyPinRequested, &document,
+  QObject::connect(&transport, &widgets::TransportBar::useTriedRequested, &document,
                    [&document] { use_tried(document); });
   add_action(window, menu, "Veto this candidate", {QKeySequence("V")},
              [&table] { table.toggleVeto(Reach::Pair); });
