@@ -104,9 +104,11 @@ TEST(TierHit, TellsEdgesBodiesAndWhatIsEmpty) {
   Scene scene;
   EXPECT_EQ(scene.at(17), (TierHit{Part::Body, scene.moves, scene.hold}));
   scene.selected = scene.hold;
-  EXPECT_EQ(scene.at(15, -4), (TierHit{Part::Start, scene.moves, scene.hold}));
+  EXPECT_EQ(scene.at(15, 4), (TierHit{Part::Start, scene.moves, scene.hold}));
+  EXPECT_EQ(scene.at(15, -3), (TierHit{Part::Empty, scene.moves})) << "another one is drawn from there";
   scene.selected = scene.turn;
-  EXPECT_EQ(scene.at(25, 4), (TierHit{Part::End, scene.moves, scene.turn}));
+  EXPECT_EQ(scene.at(25, -4), (TierHit{Part::End, scene.moves, scene.turn}));
+  EXPECT_EQ(scene.at(25, 3), (TierHit{Part::Empty, scene.moves}));
   EXPECT_EQ(scene.at(27), (TierHit{Part::Empty, scene.moves}));
   EXPECT_EQ(tier_hit(40, scene.y(scene.moves), scene.axis, scene.lanes, scene.annotations, 0),
             (TierHit{Part::Name, scene.moves}));

@@ -187,6 +187,22 @@ TEST_F(ClipInTheWindow, AStreamHasASessionOfItsOwnAndAfterItThePartnerStandsStil
   stream().stopSending("vmc://127.0.0.1:39772");
 }
 
+TEST_F(ClipInTheWindow, AfterAStreamTheClipIsThereAgain) {
+  QAction* back = action("Back to the clip");
+  ASSERT_NE(back, nullptr);
+  EXPECT_FALSE(back->isEnabled());
+  stream().connectTo("vmc://127.0.0.1:39771");
+  ASSERT_TRUE(until([] { return isForStream() && engine().receiver(); }));
+  EXPECT_TRUE(window().windowTitle().contains("live with")) << window().windowTitle().toStdString();
+  EXPECT_FALSE(back->isEnabled()) << "a stream plays the user";
+  stream().disconnectStream();
+  ASSERT_TRUE(back->isEnabled());
+  back->trigger();
+  ASSERT_TRUE(until([] { return window().session() && window().session()->isClip() && isWhole(); }));
+  EXPECT_FALSE(back->isEnabled());
+  EXPECT_FALSE(window().windowTitle().contains("live with")) << window().windowTitle().toStdString();
+}
+
 TEST_F(ClipInTheWindow, PlayedAsLiveItGoesOnWithoutEnd) {
   QAction* play = action("Play the clip as live");
   ASSERT_NE(play, nullptr);

@@ -64,6 +64,8 @@ TEST_F(HelpAndSearch, ACommandIsFoundByWhatItIsFor) {
                                                        {"joint map", "Import motion…"},
                                                        {"table", "Figures of the selection…"},
                                                        {"motive", "Connect to a stream…"},
+                                                       {"alpha", "Find a setting…"},
+                                                       {"w_delta", "Find a setting…"},
                                                        {"theme", "Light colours"}};
   for (const auto& [typed, expected] : asked) {
     type(typed);

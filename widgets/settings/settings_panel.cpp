@@ -45,11 +45,11 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
   above->addWidget(m_presets, 1);
   above->addWidget(filterField());
   column->addLayout(above);
-  column->addWidget(frameNotice());
   auto* scroll = new QScrollArea(this);
   scroll_vertically(*scroll, rowList());
   scroll->setFocusPolicy(Qt::NoFocus);
   column->addWidget(scroll, 1);
+  column->addWidget(frameNotice());  // comes and goes while a slider is dragged: below, so that none moves
   connect(m_presets, &PresetBar::chosen, this,
           [this](const QString& name) { emit presetRequested(name, false); });
   connect(m_presets, &PresetBar::ownChosen, this,
@@ -77,7 +77,7 @@ QWidget* SettingsPanel::filterField() {
 QWidget* SettingsPanel::frameNotice() {
   m_notice = new QWidget(this);
   auto* row = new QHBoxLayout(m_notice);
-  row->setContentsMargins(12, 0, 12, 8);
+  row->setContentsMargins(12, 6, 12, 8);
   row->setSpacing(8);
   m_noticeText = new QLabel(m_notice);
   m_noticeText->setTextFormat(Qt::RichText);
@@ -144,6 +144,11 @@ void SettingsPanel::filter(const QString& wanted) {
     any = any || any_here;
   }
   m_noMatch->setVisible(!any);
+}
+
+void SettingsPanel::takeFocus() {
+  m_filter->setFocus();
+  m_filter->selectAll();
 }
 
 void SettingsPanel::setColours(const Palette& palette) {

@@ -25,6 +25,8 @@ class SettingsPanel : public QWidget {
   explicit SettingsPanel(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
   PresetBar& presets() { return *m_presets; }
+  /// The keyboard goes to the filter.
+  void takeFocus();
 
   /// With room for the settings that are tuned most.
   QSize sizeHint() const override;

@@ -11,6 +11,7 @@
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
+#include "widgets/takes/recording_status.hpp"
 
 namespace abrazo::widgets {
 namespace {

@@ -372,7 +372,8 @@ void TransportBar::showPins(bool live, bool tried) {
 
 void TransportBar::writePins() {
   const bool is_short = m_room == Room::ShortWords, is_shortest = m_room >= Room::ShortestWords;
-  m_livePin->setText(is_shortest ? "pinned ✕" : is_short ? "live: pinned ✕" : "live: pinned by you ✕");
+  const QString pinned = is_short || is_shortest ? "pinned ✕" : "pinned by you ✕";
+  m_livePin->setText(is_shortest || m_userInput == UserInput::Clip ? pinned : "live: " + pinned);
   m_tried->setText(is_shortest ? "what if" : is_short ? "what if ✓" : "what if · use for live");
 }
 

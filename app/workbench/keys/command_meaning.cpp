@@ -7,7 +7,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr std::array<CommandWords, 36> other_words = {{
+constexpr std::array<CommandWords, 37> other_words = {{
     {"annotation.export_labels",
      "export eaf elan csv json praat textgrid audacity annotations roles moves file save write"},
     {"annotation.import_labels",
@@ -25,6 +25,8 @@ constexpr std::array<CommandWords, 36> other_words = {{
     {"library.retarget_take",
      "body bodies size scale proportions taller smaller transfer character rig avatar vrm glb bvh export"},
     {"solve.sweep_two_settings", "grid search parameters heat map optimise tune"},
+    {"solve.find_a_setting",
+     "alpha w_delta w_c k temperature weight collisions playback foot locks slider parameter filter"},
     {"edit.undo", "revert back"},
     {"edit.redo", "again repeat"},
     {"play.play_or_pause", "start stop space"},
@@ -43,9 +45,9 @@ constexpr std::array<CommandWords, 36> other_words = {{
     {"view_selection.figures_of_the_selection",
      "table numbers values spreadsheet csv inspector edges tetrahedra"},
     {"plots.export_plot_samples_csv", "table numbers values spreadsheet file save write"},
-    {"view_legend.set_the_range_of_the_legend", "scale limits minimum maximum colour bar residual"},
-    {"view_legend.logarithmic_colours", "legend scale log decades"},
-    {"view.light_colours", "dark theme mode bright appearance"},
+    {"view_legend.set_the_range_of_the_legend", "scale limits minimum maximum colour color bar residual"},
+    {"view_legend.logarithmic_colours", "legend scale log decades color"},
+    {"view.light_colours", "dark theme mode bright appearance color"},
     {"live.connect_to_a_stream", "motive optitrack natnet vmc xsens mvn network suit"},
     {"file.save", "project session write"},
     {"file.render_range", "film movie video mp4 animation"},

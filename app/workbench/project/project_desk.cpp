@@ -170,7 +170,8 @@ void ProjectDesk::showTitle() {
   if (!m_window.session()) return;
   const Material& material = m_window.session()->material();
   const QString name = QFileInfo(file()).completeBaseName();
-  const QString input = QString::fromStdString(material.input.name);
+  const QString input =
+      material.use == InputUse::Stream ? "live" : QString::fromStdString(material.input.name);
   const QString library = QString::fromStdString(material.library->name());
   const QString what = name == input ? "with " + library : "— " + input + " with " + library;
   const QString state = m_takes.isReadOnly() ? " (read-only)" : "";

@@ -8,6 +8,7 @@
 #include "app/workbench/base/own_presets.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/opening/opened_session.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -112,6 +113,10 @@ void add_preset_actions(MainWindow& window) {
       std::make_shared<OwnPresets>((window.remembered().folder() + "/presets.json").toStdString());
   settle(window, store, store->read());
   PresetBar& bar = window.settings().presets();
+  add_action(window, menu_of(window, "Solve"), "Find a setting…", {}, [&window] {
+    window.panels().want("settings", true);
+    window.settings().takeFocus();
+  });
   const auto ask_save = [&window, store] {
     ask_name(window, "Save settings", "mine",
              [&window, store](const QString& name) { save_as(window, store, name); });

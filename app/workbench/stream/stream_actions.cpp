@@ -7,6 +7,7 @@
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/stream/latency_desk.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
+#include "core/opening/material.hpp"
 #include "widgets/stream/address_form.hpp"
 #include "widgets/stream/connection_panel.hpp"
 #include "widgets/stream/sink_list.hpp"
@@ -69,6 +70,17 @@ void add_play_as_live(MainWindow& window, QMenu* menu) {
   });
 }
 
+/// After a stream: the clip that was open before it.
+QAction* add_back_to_clip(MainWindow& window, QMenu* menu) {
+  QAction* back = add_action(window, menu, "Back to the clip", {}, [&window] {
+    window.openMaterial([next = fresh_session(window.session()->material())](const Progress&) {
+      return Result<Material>(next);
+    });
+  });
+  back->setEnabled(false);
+  return back;
+}
+
 /// A stream continues, and the view is parked; a clip, which has no other end, is paused.
 void freeze(MainWindow& window, const StreamDesk& desk) {
   if (desk.isConnected()) {
@@ -103,6 +115,7 @@ StreamDesk& add_stream_actions(MainWindow& window) {
   });
   add_recent(window, menu, *desk);
   QAction* end = add_action(window, menu, "Disconnect", {}, [desk] { desk->disconnectStream(); });
+  QAction* back = add_back_to_clip(window, menu);
   add_play_as_live(window, menu);
   menu->addSeparator();
   QAction* calibrate = add_action(window, menu, "Calibrate in T-pose", {QKeySequence("Ctrl+T")},
@@ -119,6 +132,7 @@ StreamDesk& add_stream_actions(MainWindow& window) {
     const bool connected = desk->isConnected();
     for (QAction* action : {end, calibrate, forget}) action->setEnabled(connected);
     still->setText(connected ? "Park the view or follow; the stream goes on" : "Freeze the input");
+    back->setEnabled(!connected && window.session() && window.session()->material().use == InputUse::Stream);
     // A performer cannot be held, and a clip is not going on.
     const bool is_as_live = window.session() && window.session()->material().use == InputUse::ClipAsLive;
     if (hold) hold->setEnabled(!connected && is_as_live);

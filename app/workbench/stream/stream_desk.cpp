@@ -209,9 +209,9 @@ void StreamDesk::disconnectStream() {
   m_panel.setParts({}, {});
   if (engine()) engine()->stop_receiving();
   if (was_open && !m_window.session()->material().input_plays())
-    m_window.messages().showInformation(m_sinks.empty()
-                                            ? "Disconnected: the partner stands still"
-                                            : "Disconnected: the partner stands still, and nothing is sent");
+    m_window.messages().showInformation(
+        QString("Disconnected: the partner stands still%1. Live > Back to the clip opens the one before")
+            .arg(m_sinks.empty() ? "" : ", and nothing is sent"));
   poll();
   emit connectionChanged();
 }

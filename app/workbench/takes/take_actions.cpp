@@ -62,14 +62,15 @@ void rename(MainWindow& window, TakeDesk& desk, qint64 id, const QString& name) 
   const RecordedTake* take = desk.takes().find(id);
   const std::string why_not = desk.takes().why_not(id, name.toStdString());
   if (!why_not.empty()) return window.messages().showError(QString::fromStdString(why_not));
-  if (take) window.undoStack().push(new RenameTake(desk, *take, name.trimmed().toStdString()));
+  if (take && !desk.refusesChange())
+    window.undoStack().push(new RenameTake(desk, *take, name.trimmed().toStdString()));
 }
 
 void remove(MainWindow& window, TakeDesk& desk, qint64 id) {
   const RecordedTake* take = desk.takes().find(id);
   if (!take || (desk.isRecording() && take == &desk.takes().all().back()))
     return window.messages().showInformation("This take is being recorded; end it first (Ctrl+R)");
-  window.undoStack().push(new RemoveTake(desk, *take));
+  if (!desk.refusesChange()) window.undoStack().push(new RemoveTake(desk, *take));
 }
 
 void connect_panel(MainWindow& window, TakePanel& panel, TakeDesk& desk) {

@@ -148,7 +148,6 @@ void TakeDesk::follow() {
   if (recorder) m_takes.follow(recorder->state().take_span);
 }
 
-/// Whether the file is another window's; then it says so.
 bool TakeDesk::refusesChange() {
   if (!isReadOnly()) return false;
   m_window.messages().showError(

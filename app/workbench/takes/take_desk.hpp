@@ -60,6 +60,8 @@ class TakeDesk : public QObject {
   void setFile(const QString& file);
   /// Whether another window has the file open, and this one must not change it. Asks again.
   bool isReadOnly();
+  /// Whether it is read-only; then it says so.
+  bool refusesChange();
   /// The recorder of the file that a worker is finishing; null = none. The file can be written by others once
   /// finish() of it has returned.
   std::shared_ptr<Recorder> finishing() const { return m_finishing; }
@@ -86,7 +88,6 @@ class TakeDesk : public QObject {
   void beginTake();
   void endTake(bool stopsRecorder = true);
   bool record();
-  bool refusesChange();
   bool recordsStreams() const;
   bool hasPerformer() const;
   enum class Afterwards { Keep, Delete };
