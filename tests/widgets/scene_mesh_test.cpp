@@ -166,15 +166,15 @@ TEST(MeshFilter, KeepsToARangeOfLengthsWithItsEnds) {
 
 TEST(MeshFilter, KeepsToARangeOfTheColouredValueWithoutItsSign) {
   MeshFilter filter;
-  EXPECT_TRUE(filter.passes_share(std::nan(""))) << "nothing is asked of it";
-  filter.least_share = 0.5;
-  EXPECT_TRUE(filter.passes_share(0.5));
-  EXPECT_TRUE(filter.passes_share(-0.7));
-  EXPECT_TRUE(filter.passes_share(3)) << "beyond the legend";
-  EXPECT_FALSE(filter.passes_share(0.49));
-  EXPECT_FALSE(filter.passes_share(std::nan("")));
-  filter.most_share = 0.8;
-  EXPECT_FALSE(filter.passes_share(0.81));
+  EXPECT_TRUE(filter.passes_value(std::nan(""))) << "nothing is asked of it";
+  filter.least_value = 0.5;
+  EXPECT_TRUE(filter.passes_value(0.5));
+  EXPECT_TRUE(filter.passes_value(-0.7));
+  EXPECT_TRUE(filter.passes_value(3));
+  EXPECT_FALSE(filter.passes_value(0.49));
+  EXPECT_FALSE(filter.passes_value(std::nan("")));
+  filter.most_value = 0.8;
+  EXPECT_FALSE(filter.passes_value(0.81));
   EXPECT_FALSE(filter.is_open());
 }
 

@@ -33,15 +33,20 @@ TEST(SceneOptionsPanel, AsksForWhatIsSetAndLeavesTheRest) {
   EXPECT_EQ(asked.navigation, NavigationStyle::Maya);
 }
 
-TEST(SceneOptionsPanel, AsksForARangeOfValuesInShareOfTheLegend) {
+TEST(SceneOptionsPanel, AsksForARangeOfValuesInTheirUnit) {
   SceneOptionsPanel panel(nullptr);
   SceneOptions asked;
   QObject::connect(&panel, &SceneOptionsPanel::optionsRequested,
                    [&asked](const SceneOptions& options) { asked = options; });
   for (auto* box : panel.findChildren<QDoubleSpinBox*>())
-    if (box->accessibleName() == "Least value") box->setValue(45);
-  EXPECT_DOUBLE_EQ(asked.least_share, 0.45);
-  EXPECT_EQ(asked.most_share, MeshFilter::no_limit) << "the upper end is open";
+    if (box->accessibleName() == "Least value") {
+      panel.setUnit("mm");
+      EXPECT_EQ(box->text().toStdString(), "any");
+      box->setValue(4.5);
+      EXPECT_EQ(box->text().toStdString(), "4.50 mm");
+    }
+  EXPECT_DOUBLE_EQ(asked.least_value, 4.5);
+  EXPECT_EQ(asked.most_value, MeshFilter::no_limit) << "the upper end is open";
   EXPECT_TRUE(asked.filters());
 }
 

@@ -75,9 +75,8 @@ void MeshActors::rebuildEdges(const FrameResult& result, const MeshLook& look) {
     const bool joins = is_inter_body(m_edges[e]);
     m_between_count += joins;
     if (!look.filter.passes(result.result, m_edges[e])) continue;
-    const double share = e < look.scalars.size() ? look.scalars[e] / look.scale.upper
-                                                 : std::numeric_limits<double>::quiet_NaN();
-    if (!look.filter.passes_share(share)) continue;
+    const double value = e < look.scalars.size() ? look.scalars[e] : std::numeric_limits<double>::quiet_NaN();
+    if (!look.filter.passes_value(value)) continue;
     if (joins) m_between.push_back(e);
     (joins ? between : within).push_back({m_edges[e][0], m_edges[e][1]});
     if (showsEdges(joins ? ScenePart::MeshBetween : ScenePart::MeshWithin))

@@ -40,10 +40,8 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   form->setContentsMargins(14, 12, 14, 12);
   m_shortest = length("Shortest edge", "Hide edges that are shorter");
   m_longest = length("Longest edge", "Hide edges that are longer");
-  m_least =
-      share("Least value", "Hide edges whose coloured value is lower, in percent of the legend's upper end");
-  m_most = share("Highest value",
-                 "Hide edges whose coloured value is higher, in percent of the legend's upper end");
+  m_least = value("Least value", "Hide edges whose coloured value, without its sign, is lower");
+  m_most = value("Highest value", "Hide edges whose coloured value, without its sign, is higher");
   m_isolates = tick("Only the selection (X)",
                     "While something is selected, only the edges and tetrahedra that belong to it");
   m_apart = slider(this, "Exploded tetrahedra", 0, apart_steps);
@@ -142,23 +140,26 @@ QDoubleSpinBox* SceneOptionsPanel::length(const QString& name, const QString& ti
   return box;
 }
 
-QDoubleSpinBox* SceneOptionsPanel::share(const QString& name, const QString& tip) {
+QDoubleSpinBox* SceneOptionsPanel::value(const QString& name, const QString& tip) {
   auto* box = new QDoubleSpinBox(this);
-  box->setRange(0, 100);
-  box->setSingleStep(5);
-  box->setDecimals(0);
-  box->setSuffix(" % of the legend");
+  box->setRange(0, greatest_value);
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  box->setDecimals(2);
+  box->setSpecialValueText("any");
   describe(*box, name, tip);
   return box;
+}
+
+void SceneOptionsPanel::setUnit(const QString& unit) {
+  for (QDoubleSpinBox* box : {m_least, m_most}) box->setSuffix(unit.isEmpty() ? unit : " " + unit);
 }
 
 SceneOptions SceneOptionsPanel::asked() const {
   SceneOptions options = m_options;
   options.shortest_m = m_shortest->value();
   options.longest_m = m_longest->value() >= longest_m ? MeshFilter::no_limit : m_longest->value();
-  options.least_share = m_least->value() / 100;
-  // The legend's upper end is open: what is beyond it has its colour.
-  options.most_share = m_most->value() >= 100 ? MeshFilter::no_limit : m_most->value() / 100;
+  options.least_value = m_least->value();
+  options.most_value = m_most->value() > 0 ? m_most->value() : MeshFilter::no_limit;
   options.isolates = m_isolates->isChecked();
   options.apart = static_cast<double>(m_apart->value()) / 100;
   options.cuts = m_cuts->isChecked();
@@ -178,8 +179,8 @@ void SceneOptionsPanel::setOptions(const SceneOptions& options) {
   for (QWidget* one : fields()) one->blockSignals(true);
   m_shortest->setValue(options.shortest_m);
   m_longest->setValue(std::min(options.longest_m, longest_m));
-  m_least->setValue(100 * options.least_share);
-  m_most->setValue(100 * std::min(options.most_share, 1.0));
+  m_least->setValue(options.least_value);
+  m_most->setValue(std::isfinite(options.most_value) ? options.most_value : 0);
   m_isolates->setChecked(options.isolates);
   m_apart->setValue(static_cast<int>(std::lround(100 * options.apart)));
   m_cuts->setChecked(options.cuts);

@@ -17,6 +17,8 @@ class SceneOptionsPanel : public QFrame {
   Q_OBJECT
  public:
   explicit SceneOptionsPanel(QWidget* parent);
+  /// Of the coloured value, which its limits are in.
+  void setUnit(const QString& unit);
   void setOptions(const SceneOptions& options);
 
  signals:
@@ -31,7 +33,7 @@ class SceneOptionsPanel : public QFrame {
   SceneOptions asked() const;
   QToolButton* tick(const QString& text, const QString& tip);
   QDoubleSpinBox* length(const QString& name, const QString& tip);
-  QDoubleSpinBox* share(const QString& name, const QString& tip);
+  QDoubleSpinBox* value(const QString& name, const QString& tip);
 
   SceneOptions m_options;
   std::vector<QWidget*> fields() const;

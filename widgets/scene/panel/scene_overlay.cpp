@@ -145,6 +145,7 @@ std::vector<std::vector<QToolButton*>> ScalarChips::inRows(int width_px) const {
 
 void ScalarChips::setScalar(MeshScalar scalar) {
   m_scalars[static_cast<std::size_t>(scalar)]->setChecked(true);
+  m_options->setUnit(scalar_info(scalar).unit);
   sayColour();
 }
 void ScalarChips::setBetweenOnly(bool only) {

@@ -34,9 +34,9 @@ bool MeshFilter::passes(const PairPose& pair, const MeshEdge& edge) const {
   return is_wanted(*this, edge) && has_length(*this, pair, edge[0], edge[1]);
 }
 
-bool MeshFilter::passes_share(double share) const {
-  if (least_share <= 0 && most_share == no_limit) return true;
-  return std::abs(share) >= least_share && std::abs(share) <= most_share;
+bool MeshFilter::passes_value(double value) const {
+  if (least_value <= 0 && most_value == no_limit) return true;
+  return std::abs(value) >= least_value && std::abs(value) <= most_value;
 }
 
 bool MeshFilter::passes(const PairPose& pair, const MeshTetrahedron& cell) const {

@@ -72,7 +72,7 @@ QString text_of(const SceneMemory& memory) {
   QJsonObject all{{"shown", shown},
                   {"colour_by", name_of(memory.scalar, scalar_names)},
                   {"shortest_edge_m", options.shortest_m},
-                  {"least_share", options.least_share},
+                  {"least_value", options.least_value},
                   {"apart", options.apart},
                   {"trail_s", options.trail_s},
                   {"map", name_of(options.map, map_names)},
@@ -84,7 +84,7 @@ QString text_of(const SceneMemory& memory) {
     if (!options.character_files[body].empty())
       all[character_names[body]] = QString::fromStdString(options.character_files[body]);
   if (std::isfinite(options.longest_m)) all["longest_edge_m"] = options.longest_m;
-  if (std::isfinite(options.most_share)) all["most_share"] = options.most_share;
+  if (std::isfinite(options.most_value)) all["most_value"] = options.most_value;
   if (const QJsonObject ranges = ranges_of(memory); !ranges.isEmpty()) all["ranges"] = ranges;
   return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
@@ -100,8 +100,8 @@ SceneMemory scene_memory_of(const QString& text) {
   SceneOptions& options = memory.options;
   read(all, "shortest_edge_m", 0, longest_m, options.shortest_m);
   read(all, "longest_edge_m", 0, longest_m, options.longest_m);
-  read(all, "least_share", 0, 1, options.least_share);
-  read(all, "most_share", 0, 1, options.most_share);
+  read(all, "least_value", 0, greatest_value, options.least_value);
+  read(all, "most_value", 0, greatest_value, options.most_value);
   read(all, "apart", 0, most_apart, options.apart);
   read(all, "trail_s", shortest_trail_s, longest_trail_s, options.trail_s);
   read(all, "map", map_names, options.map);

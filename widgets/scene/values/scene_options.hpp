@@ -17,7 +17,7 @@ enum class ColourMap { Viridis, Cividis };
 /// Display options of the scene; `PartVisibility` has the visible parts.
 struct SceneOptions {
   double shortest_m = 0, longest_m = MeshFilter::no_limit;    ///< of the edges that are shown
-  double least_share = 0, most_share = MeshFilter::no_limit;  ///< of their value, see MeshFilter
+  double least_value = 0, most_value = MeshFilter::no_limit;  ///< of their value, see MeshFilter
   bool isolates = false;  ///< shows only items of the selection, if there is one
   double apart = 0;       ///< displacement of cells from the middle, share of their distance
   bool cuts = false;      ///< clips everything nearer to the eye than a plane
@@ -62,8 +62,8 @@ struct SceneOptions {
   }
   bool filters() const { return filters_edges() || isolates || apart > 0 || cuts; }
   bool filters_edges() const {
-    return shortest_m > 0 || longest_m < MeshFilter::no_limit || least_share > 0 ||
-           most_share < MeshFilter::no_limit;
+    return shortest_m > 0 || longest_m < MeshFilter::no_limit || least_value > 0 ||
+           most_value < MeshFilter::no_limit;
   }
 };
 

@@ -43,7 +43,7 @@ MeshLook SceneView::Parts::look() {
   }
   look.filter = {
       options.shortest_m,  options.longest_m, options.isolates ? picker.selected() : Selection{}, hidden,
-      options.least_share, options.most_share};
+      options.least_value, options.most_value};
   look.apart = options.apart;
   return look;
 }
@@ -314,6 +314,10 @@ void SceneView::showPart(ScenePart part, bool shown) {
 
 void SceneView::setScalar(MeshScalar scalar) {
   Parts& p = *m_parts;
+  SceneOptions options = p.options;
+  options.least_value = 0;  // limits of another value would hide what nobody meant
+  options.most_value = MeshFilter::no_limit;
+  if (p.scalar != scalar && options != p.options) setOptions(options);
   p.scalar = scalar;
   if (!p.range().locked()) p.range().reset();
   p.legend->setLocked(p.range().locked());
