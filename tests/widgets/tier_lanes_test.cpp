@@ -135,7 +135,9 @@ TEST(TierHit, ANarrowLabelKeepsABodyToTakeHoldOf) {
   const int dot = *scene.annotations.draw(scene.moves, 27, 27.45, "hold", Conflict::Refuse, {0, 40});  // 9 px
   scene.selected = dot;
   EXPECT_EQ(scene.at(27.225), (TierHit{Part::Body, scene.moves, dot}));
-  EXPECT_EQ(scene.at(27, -3).part, Part::Start);
+  EXPECT_EQ(scene.at(27, 2).part, Part::Start);
+  EXPECT_EQ(scene.at(27, -2).part, Part::Start);
+  EXPECT_EQ(scene.at(27, -3).part, Part::Empty);
 }
 
 TEST(TierHit, AConfirmedLabelHidesASuggestion) {

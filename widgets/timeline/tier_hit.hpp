@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -30,12 +31,12 @@ struct TierHit {
   bool is_edge() const { return part == Part::Start || part == Part::End || part == Part::Between; }
 };
 
-/// Distance within which the pointer grabs an edge: inside the annotation, and outside. Outside, the next one
-/// is drawn.
-inline constexpr double edge_reach_px = 5, outer_reach_px = 1;
+/// Distance within which the pointer grabs an edge inside the annotation. Outside, the next one is drawn.
+inline constexpr double edge_reach_px = 5, least_outside_px = 1;
 
 /// The edge of the selected annotation nearest to a time, within reach: whoever draws another one beside one
-/// that is not selected does not mean its edge. A narrow annotation keeps a body between its edges.
+/// that is not selected does not mean its edge. A narrow annotation keeps a body between its edges,
+/// which reach outside for what they lack inside.
 inline TierHit edge_near(const AnnotationTier& tier, double time_s, double second_px, int selected) {
   using Part = TierHit::Part;
   TierHit found{Part::Empty, tier.id};
@@ -43,9 +44,10 @@ inline TierHit edge_near(const AnnotationTier& tier, double time_s, double secon
   for (std::size_t i = 0; i < tier.annotations.size(); ++i) {
     const Annotation& each = tier.annotations[i];
     const double inner_px = std::min(edge_reach_px, each.duration_s() / second_px / 3);
+    const double outer_px = std::max(least_outside_px, edge_reach_px - inner_px);
     const auto reaches = [&](double edge_s, double inwards) {
       const double off_px = (time_s - edge_s) / second_px;
-      return std::abs(off_px) <= (off_px * inwards > 0 ? inner_px : outer_reach_px) &&
+      return std::abs(off_px) <= (off_px * inwards > 0 ? inner_px : outer_px) &&
              std::abs(off_px) <= nearest_px;
     };
     if (each.id == selected && reaches(each.start_s, 1) && found.part != Part::Between) {
