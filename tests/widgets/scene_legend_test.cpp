@@ -162,6 +162,21 @@ TEST(SceneView, KeepsARangeLockForEachScalar) {
   EXPECT_TRUE(lock->isChecked());
 }
 
+TEST(SceneView, LimitsOfAValueEndWithItAndLimitsOfTheLengthStay) {
+  Scene scene({ScenePart::MeshBetween});
+  scene.change([](SceneOptions& options) {
+    options.least_value = 5;
+    options.most_value = 20;
+    options.longest_m = 2;
+  });
+  scene.view.setScalar(MeshScalar::Residual);
+  EXPECT_EQ(scene.view.options().least_value, 5) << "the same value";
+  scene.view.setScalar(MeshScalar::Weight);
+  EXPECT_EQ(scene.view.options().least_value, 0);
+  EXPECT_EQ(scene.view.options().most_value, MeshFilter::no_limit);
+  EXPECT_EQ(scene.view.options().longest_m, 2);
+}
+
 TEST(SceneView, ColoursEdgesByTheirShareOfTheEnergy) {
   Scene scene({ScenePart::MeshBetween});
   const QImage residual = picture_of(scene.view);

@@ -66,6 +66,7 @@ TEST_F(HelpAndSearch, ACommandIsFoundByWhatItIsFor) {
                                                        {"motive", "Connect to a stream…"},
                                                        {"alpha", "Find a setting…"},
                                                        {"w_delta", "Find a setting…"},
+                                                       {"color", "Set the range of the legend…"},
                                                        {"theme", "Light colours"}};
   for (const auto& [typed, expected] : asked) {
     type(typed);
